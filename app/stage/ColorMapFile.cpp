@@ -102,7 +102,7 @@ void setSpace(vtkColorTransferFunction* function, const std::string& space, cons
   else if (space == "Step")
     function->SetColorSpaceToStep();
   else
-    throw Failure(what + ": no way of mixing colours is called \"" + space +
+    throw Failure(what + ": no way of mixing colours is called \"" + oneLine(space) +
                   "\"; there are RGB, HSV, Lab, CIEDE2000, Diverging and Step");
 }
 
@@ -185,14 +185,15 @@ ColorMapFile parsedMaps(const std::string& text, const Named& named)
   {
     if (!map.is_object())
       continue;
-    names.push_back(textOf(map, "Name"));
-    if (named.map.empty() || names.back() == named.map)
+    const std::string name = textOf(map, "Name");
+    names.push_back(oneLine(name));
+    if (named.map.empty() || name == named.map)
       return mapOf(map, named.file);
   }
   if (names.empty())
     throw Failure(named.file + ": there is no colour map in this file");
   throw Failure(
-    named.file + " has no colour map " + named.map + "; there are " + joined(names, ", "));
+    named.file + " has no colour map " + oneLine(named.map) + "; there are " + joined(names, ", "));
 }
 
 /// Red, green and blue of a line; nothing where it has none.

@@ -1,5 +1,6 @@
 #include "LAMMPSHeader.h"
 
+#include "MostArrays.h"
 #include "ParseNumber.h"
 #include "TextRows.h"
 
@@ -197,6 +198,8 @@ void LAMMPSHeader::readColumns(std::string_view names)
   std::vector<std::string> columns = splitValues(names);
   if (columns.empty())
     columns = {"id", "type", "xs", "ys", "zs"}; // dump style atom, before columns had names
+  if (columns.size() > mostArrays)
+    refuse(tooMany("columns"));
   // Frames of a file share their list.
   if (!m_frame.columns || *m_frame.columns != columns)
     m_frame.columns = std::make_shared<const std::vector<std::string>>(std::move(columns));

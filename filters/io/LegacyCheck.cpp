@@ -1,6 +1,7 @@
 #include "LegacyCheck.h"
 
 #include "FileError.h"
+#include "MostArrays.h"
 #include "TextFile.h"
 
 #include <algorithm>
@@ -322,7 +323,7 @@ private:
     static const std::map<std::string, Size> components = {{"vectors", 3}, {"normals", 3},
       {"tensors", 9}, {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
     if (keyword == "point_data" || keyword == "cell_data")
-      m_tuples = requireCount("the number of values");
+      m_arrays = 0, m_tuples = requireCount("the number of values");
     else if (keyword == "scalars")
       checkScalars();
     else if (keyword == "color_scalars")
@@ -344,6 +345,8 @@ private:
     }
     else
       return false;
+    if (++m_arrays > mostArrays)
+      fail(tooMany("arrays"));
     return true;
   }
 
@@ -378,6 +381,7 @@ private:
   {
     requireWord("a name");
     const Size arrays = requireCount("the number of arrays");
+    m_arrays += std::min<Size>(arrays, mostArrays);
     for (Size array = 0; array < arrays; ++array)
     {
       if (passWord("metadata"))
@@ -480,8 +484,8 @@ private:
   std::string_view m_text;
   std::size_t m_at = 0;
   bool m_isText = true;
-  bool m_hasOffsets = false; ///< of the lists of cells
-  Size m_tuples = 0;         ///< of the attributes that are being read
+  bool m_hasOffsets = false;       ///< of the lists of cells
+  Size m_tuples = 0, m_arrays = 0; ///< of the attributes that follow
 };
 
 } // namespace

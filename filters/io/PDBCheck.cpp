@@ -2,7 +2,6 @@
 
 #include "FileError.h"
 #include "ParseNumber.h"
-#include "TextFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -106,27 +105,88 @@ void checkMaster(const Walk& walk, std::string_view line)
   }
 }
 
+/// The time in a title, "Protein in water t= 10.00000 step= 5000".
+std::optional<double> timeIn(std::string_view title)
+{
+  const std::size_t at = title.rfind("t=");
+  if (at == title.npos)
+    return {};
+  const std::string text = field(title, at + 2, 32) + '\n';
+  double value = 0;
+  const char* const end = parseDouble(text.c_str(), value);
+  return end && endsToken(*end) ? std::optional(value) : std::nullopt;
+}
+
+/// Tells models apart, record by record.
+class Models
+{
+public:
+  /// A line of the text from `begin` to `end`.
+  void add(const std::string& record, std::string_view line, std::size_t begin, std::size_t end)
+  {
+    if (record == "ATOM" || record == "HETATM")
+      hasAtoms_ = true;
+    else if (record == "TITLE")
+      present_.time = timeIn(line);
+    else if (record == "MODEL" && found_.models.empty() && !isBegun_)
+    {
+      found_.head = present_.begin = begin;
+      isBegun_ = true;
+    }
+    last_ = end;
+    if (record == "ENDMDL" || record == "END")
+      this->close();
+  }
+  PDBModels found()
+  {
+    this->close();
+    // What follows the last one, such as bonds, is looked at with it.
+    if (!found_.models.empty())
+      found_.models.back().end = last_;
+    return found_;
+  }
+
+private:
+  void close()
+  {
+    if (hasAtoms_)
+    {
+      present_.end = last_;
+      found_.models.push_back(present_);
+      present_ = {last_, 0, {}};
+    }
+    hasAtoms_ = false;
+  }
+
+  PDBModels found_;
+  PDBModel present_;
+  bool hasAtoms_ = false, isBegun_ = false;
+  std::size_t last_ = 0;
+};
+
 } // namespace
 
-void checkPDBIsWhole(const std::string& path)
+std::string PDBModels::textOf(std::string_view text, std::size_t model) const
 {
-  const TextFile file(path);
-  if (file.isGzip())
-  {
-    throw FileError(FileError::Kind::OtherFormat, path,
-      "PDB is not read from gzip files; unpack it first (gunzip)");
-  }
+  const PDBModel& one = models[model];
+  return std::string(text.substr(0, head)) +
+         std::string(text.substr(one.begin, one.end - one.begin));
+}
+
+PDBModels checkPDB(std::string_view text, const std::string& path)
+{
   Walk walk{path};
-  std::string_view rest = file.text();
-  std::string record;
-  while (!rest.empty() && record != "END")
+  Models models;
+  std::string_view rest = text;
+  while (!rest.empty())
   {
     ++walk.line;
+    const std::size_t begin = text.size() - rest.size();
     const std::size_t end = rest.find('\n');
     std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
     line = line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
-    record = recordName(line);
+    const std::string record = recordName(line);
     if (end == std::string_view::npos)
       checkOpenEnd(walk, record, line);
     if (record == "ATOM" || record == "HETATM")
@@ -138,7 +198,9 @@ void checkPDBIsWhole(const std::string& path)
     {
       checkMaster(walk, line);
     }
+    models.add(record, line, begin, text.size() - rest.size());
   }
+  return models.found();
 }
 
 } // namespace mote

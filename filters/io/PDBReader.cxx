@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "PDBCheck.h"
+#include "TextFile.h"
 
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -11,22 +12,113 @@
 #include "vtkPDBReader.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <string>
+#include <vector>
 
 namespace
 {
 
-/// Without vtkTypeMacro on purpose: in the eyes of others, Python among them, it is a vtkPDBReader.
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Models are time steps. Without vtkTypeMacro on purpose: in the eyes of others, Python among
+/// them, it is a vtkPDBReader.
 class CheckedPDBReader : public vtkPDBReader
 {
 public:
   static CheckedPDBReader* New();
 
 protected:
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+private:
+  /// Looks through the file where it is another one now. Throws FileError.
+  void Look(const mote::TextFile& file);
+  std::size_t ModelOf(vtkInformation* information) const;
+
+  mote::PDBModels Models;
+  std::vector<double> Times; ///< of several models
+  std::string LookedInto;
+  mote::FileStamp Stamp;
 };
 
 vtkStandardNewMacro(CheckedPDBReader);
+
+/// The times of models: as all of them tell it, or else their numbers from 0.
+std::vector<double> timesOf(const std::vector<mote::PDBModel>& models)
+{
+  std::vector<double> times;
+  for (const mote::PDBModel& model : models)
+    if (model.time && (times.empty() || *model.time > times.back()))
+      times.push_back(*model.time);
+  if (times.size() < models.size())
+  {
+    times.resize(models.size());
+    std::iota(times.begin(), times.end(), 0.0);
+  }
+  return times;
+}
+
+void CheckedPDBReader::Look(const mote::TextFile& file)
+{
+  const mote::FileStamp stamp = mote::stampOf(file.path());
+  if (LookedInto == file.path() && Stamp == stamp)
+    return;
+  LookedInto.clear();
+  if (file.isGzip())
+  {
+    throw mote::FileError(mote::FileError::Kind::OtherFormat, file.path(),
+      "PDB is not read from gzip files; unpack it first (gunzip)");
+  }
+  Models = mote::checkPDB(file.text(), file.path());
+  Times.clear();
+  if (Models.models.size() > 1)
+    Times = timesOf(Models.models);
+  LookedInto = file.path();
+  Stamp = stamp;
+}
+
+int CheckedPDBReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  information->Remove(Pipeline::TIME_STEPS());
+  information->Remove(Pipeline::TIME_RANGE());
+  try
+  {
+    this->Look(mote::TextFile(this->FileName ? this->FileName : ""));
+  }
+  catch (const mote::FileError&)
+  {
+    return 1; // RequestData says what is wrong
+  }
+  if (Times.empty())
+    return 1;
+  const double range[2] = {Times.front(), Times.back()};
+  information->Set(Pipeline::TIME_STEPS(), Times.data(), static_cast<int>(Times.size()));
+  information->Set(Pipeline::TIME_RANGE(), range, 2);
+  return 1;
+}
+
+/// The one whose time is nearest to the one that is asked for.
+std::size_t CheckedPDBReader::ModelOf(vtkInformation* information) const
+{
+  if (Times.empty() || !information->Has(Pipeline::UPDATE_TIME_STEP()))
+    return 0;
+  const double time = information->Get(Pipeline::UPDATE_TIME_STEP());
+  const auto above = std::lower_bound(Times.begin(), Times.end(), time);
+  if (above == Times.begin())
+    return 0;
+  const bool isAbove = above != Times.end() && *above - time < time - above[-1];
+  return static_cast<std::size_t>(above - Times.begin()) - (isAbove ? 0 : 1);
+}
 
 void makeRadiusScalar(vtkPointData* arrays)
 {
@@ -42,12 +134,25 @@ void makeRadiusScalar(vtkPointData* arrays)
 }
 
 int CheckedPDBReader::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkInformation* information = outputVector->GetInformationObject(0);
   try
   {
-    mote::checkPDBIsWhole(this->FileName ? this->FileName : "");
+    const mote::TextFile file(this->FileName ? this->FileName : "");
+    this->Look(file);
+    const std::size_t model = this->ModelOf(information);
+    std::string text =
+      model < Models.models.size() ? Models.textOf(file.text(), model) : std::string("END\n");
+    FILE* const stream = fmemopen(text.data(), text.size(), "r");
+    if (!stream)
+      throw mote::FileError(
+        mote::FileError::Kind::CannotOpen, file.path(), "there is not enough memory for it");
+    this->ReadMolecule(stream, output);
+    std::fclose(stream);
+    if (model < Times.size())
+      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), Times[model]);
   }
   catch (const mote::FileError& error)
   {
@@ -55,9 +160,8 @@ int CheckedPDBReader::RequestData(
     vtkErrorMacro(<< error.what());
     return 1; // a failed request would leave old data downstream
   }
-  const int result = this->vtkPDBReader::RequestData(request, inputVector, outputVector);
   makeRadiusScalar(output->GetPointData());
-  return result;
+  return 1;
 }
 
 } // namespace

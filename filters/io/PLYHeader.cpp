@@ -1,6 +1,7 @@
 #include "PLYHeader.h"
 
 #include "FileError.h"
+#include "MostArrays.h"
 #include "TextCursor.h"
 #include "TextRows.h"
 
@@ -145,6 +146,8 @@ private:
     if (holds(m_header.elements, element.name) ||
         element.name.find("vertex_index") != std::string::npos)
       fail("an element cannot be called '" + element.name + "' here");
+    if (m_header.elements.size() == mostArrays)
+      fail(tooMany("elements"));
     m_header.elements.push_back(std::move(element));
   }
 
@@ -167,6 +170,8 @@ private:
       fail("a second property '" + property.name + "' of one element");
     if (list ? isTakenAsValue(property.name) : isTakenAsList(property.name))
       fail("'" + property.name + (list ? "' is one value, no list" : "' is a list"));
+    if (properties.size() == mostArrays)
+      fail(tooMany("properties"));
     properties.push_back(std::move(property));
   }
 

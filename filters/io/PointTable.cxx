@@ -1,6 +1,7 @@
 #include "PointTable.h"
 
 #include "FileError.h"
+#include "MostArrays.h"
 #include "ParseNumber.h"
 #include "TextLine.h"
 
@@ -204,6 +205,8 @@ Head findHead(TextCursor& cursor)
       Names values = head.names;
       if (head.separator != ',')
         std::transform(values.begin(), values.end(), values.begin(), withDecimalPoint);
+      if (values.size() > mostArrays)
+        throw FileError(FileError::Kind::Malformed, cursor.path(), tooMany("columns"), number);
       if (values.size() >= 3 && areNumbers(values))
         return {namesOfNumbers(values.size()), head.separator};
     }

@@ -1,6 +1,7 @@
 #include "XMLCheck.h"
 
 #include "FileError.h"
+#include "MostArrays.h"
 #include "TextFile.h"
 
 #include <algorithm>
@@ -250,8 +251,12 @@ private:
         text &&
         std::from_chars(text->data(), text->data() + text->size(), offset).ec == std::errc())
       offsets_.push_back(offset);
+    if (element.starts_with("<Piece"))
+      arrayCount_ = 0;
     if (!isArray)
       return;
+    if (++arrayCount_ > mostArrays)
+      throw FileError(FileError::Kind::Malformed, path_, tooMany("arrays"));
     if (!isPromise_ && element.find("format") == element.npos)
       throw FileError(FileError::Kind::Malformed, path_, "an array does not say its format");
     if (const auto type = attributeOf(element, "type"); type && !isKnownType(*type))
@@ -289,6 +294,7 @@ private:
   double most_ = 0.0;
   std::vector<std::uint64_t> offsets_; ///< of appended values
   bool isPacked_ = false, isLong_ = false, isBigEndian_ = false;
+  std::size_t arrayCount_ = 0; ///< of a piece
   std::string section_;
   bool isPromise_ = false; ///< the section's arrays are those of pieces
 };

@@ -1,6 +1,7 @@
 #include "XYZFile.h"
 
 #include "FileError.h"
+#include "MostArrays.h"
 #include "ParseNumber.h"
 
 #include <cmath>
@@ -115,6 +116,8 @@ XYZLayout extendedLayout(
   XYZLayout layout;
   bool placed = false;
   const std::vector<std::string> fields = splitAtColons(properties);
+  if (fields.size() > 3 * mostArrays)
+    throw refuse(tooMany("properties"));
   for (std::size_t i = 0; i < fields.size(); i += 3)
   {
     std::int64_t count = 0;

@@ -195,6 +195,8 @@ TEST_F(ColorMaps, WrongFiles)
   expectError("{\"RGBPoints\": [0, 0, 0, 1, 1, 1, 1, 2]}", "2 is outside");
   expectError("{\"RGBPoints\": [-1e308, 0, 0, 1, 1e308, 1, 1, 1]}", "have one value");
   expectError("{\"RGBPoints\": [0, 0, 0, 1, 1, 1, 1, 1], \"ColorSpace\": \"x\"}", "called \"x\"");
+  expectError(
+    "{\"RGBPoints\": [0, 0, 0, 1, 1, 1, 1, 1], \"ColorSpace\": \"x\\ny\"}", "called \"x?y\"");
   expectError("{\"IndexedColors\": [0, 0, 0]}", "2 colours or more");
 }
 

@@ -150,6 +150,73 @@ TEST_F(TestFormatRefusals, EntriesOfOpenFOAMThatLieInOneAnotherTooDeeply)
   refused("constant/polyMesh/points", "FoamFile\n{", nested("{ x ", "}"));
 }
 
+/// What makes a text of a number from 0 to below `count`, one behind the other.
+template <class Text>
+std::string numbered(std::size_t count, const Text& text)
+{
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i)
+    all += text(std::to_string(i));
+  return all;
+}
+
+TEST_F(TestFormatRefusals, MoreArraysThanDataSetsCanLookThrough)
+{
+  constexpr std::size_t few = 2000, many = 200000;
+  const std::string wrong = "more than 10000 ";
+  const auto csv = [](std::size_t n)
+  {
+    return "x,y,z" + numbered(n, [](const std::string& i) { return ",c" + i; }) + "\n1,2,3" +
+           repeated(",1", n) + "\n";
+  };
+  const auto dump = [](std::size_t n)
+  {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 "
+           "1\nITEM: ATOMS id x y z" +
+           numbered(n, [](const std::string& i) { return " c" + i; }) + "\n1 0 0 0" +
+           repeated(" 1", n) + "\n";
+  };
+  const auto xyz = [](std::size_t n)
+  {
+    return "1\nProperties=species:S:1:pos:R:3" +
+           numbered(n, [](const std::string& i) { return ":c" + i + ":R:1"; }) + "\nAr 0 0 0" +
+           repeated(" 1", n) + "\n";
+  };
+  const auto legacy = [](std::size_t n)
+  {
+    return "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 "
+           "0\nVERTICES 1 2\n1 0\nPOINT_DATA 1\n" +
+           numbered(n, [](const std::string& i)
+             { return "SCALARS c" + i + " float\nLOOKUP_TABLE default\n1\n"; });
+  };
+  const auto xml = [](std::size_t n)
+  {
+    return pointWith(
+      "<PointData>" +
+      numbered(n, [](const std::string& i)
+        { return "<DataArray type=\"Int8\" Name=\"" + i + "\" format=\"ascii\">1</DataArray>"; }) +
+      "</PointData>");
+  };
+  EXPECT_EQ(errorOf(write("a.csv", csv(few))), "");
+  EXPECT_EQ(errorOf(write("a.dump", dump(few))), "");
+  EXPECT_EQ(errorOf(write("a.xyz", xyz(few))), "");
+  EXPECT_EQ(errorOf(write("a.vtk", legacy(few))), "");
+  EXPECT_EQ(errorOf(write("a.vtp", xml(few))), "");
+  expectError(write("b.csv", csv(many)), wrong + "columns");
+  expectError(write("b.dump", dump(many)), wrong + "columns");
+  expectError(write("b.xyz", xyz(many)), wrong + "properties");
+  expectError(write("b.vtk", legacy(many)), wrong + "arrays");
+  expectError(write("b.vtp", xml(many)), wrong + "arrays");
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty "
+                            "float y\nproperty float z\n",
+                    end = "end_header\n0 0 0\n";
+  const auto line = [](const std::string& i) { return "property float c" + i + "\n"; };
+  expectError(write("a.ply", begin + numbered(many, line) + end), wrong + "properties");
+  const auto element = [](const std::string& i)
+  { return "element e" + i + " 1\nproperty float a\n"; };
+  expectError(write("b.ply", begin + numbered(many, element) + end), wrong + "elements");
+}
+
 TEST_F(TestFormatRefusals, NodesOfGLTFThatLieBelowOneAnother)
 {
   const auto chain = [](std::size_t length)

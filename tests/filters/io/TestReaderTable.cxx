@@ -177,7 +177,7 @@ TEST_F(TestReaderTable, WholePDB)
     {atom + "\n" + atom + "\n" + master + "    1    0\nEND\n", 2},
     {"MODEL        1\n" + atom + "\nENDMDL\nMODEL        2\n" + atom + "\nENDMDL\n" + master +
         "    2    0\nEND\n",
-      2},
+      1}, // of the first
   };
   for (const auto& [text, count] : cases)
   {
