@@ -168,11 +168,8 @@ TEST_F(TestReaderTable, WholePDB)
     "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N";
   const std::string master = "MASTER        0    0    0    0    0    0    0    0";
   const std::vector<std::pair<std::string, int>> cases = {
-    {atom + "\n" + atom + "\n", 2},
-    {atom + "\r\n" + atom + "\r\nEND\r\n", 2},
-    {atom + "\nEND", 1},
-    {atom + "\n" + atom, 2},
-    {atom.substr(0, 54) + "\nEND\n", 1},
+    {atom + "\n" + atom + "\n", 2}, {atom + "\r\n" + atom + "\r\nEND\r\n", 2}, {atom + "\nEND", 1},
+    {atom + "\n" + atom, 2}, {atom.substr(0, 54) + "\nEND\n", 1},
     {atom + "\n" + master + "    1    0\nEND\n", 1},
     {atom + "\n" + atom + "\n" + master + "    1    0\nEND\n", 2},
     {"MODEL        1\n" + atom + "\nENDMDL\nMODEL        2\n" + atom + "\nENDMDL\n" + master +
