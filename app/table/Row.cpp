@@ -25,8 +25,11 @@ void Row::goOn(Settings& settings, const Settings& asked) const
   const std::string now = get(settings).front();
   if (shape == Shape::Flag)
     return set(settings, {now == "true" ? "false" : "true"});
-  const auto found = std::find(words.begin(), words.end(), now);
-  set(settings, {found == words.end() || found + 1 == words.end() ? words.front() : found[1]});
+  const std::vector<std::string>& all = words.empty() ? offers : words;
+  if (all.empty())
+    return;
+  const auto found = std::find(all.begin(), all.end(), now);
+  set(settings, {found == all.end() || found + 1 == all.end() ? all.front() : found[1]});
 }
 
 std::string Row::values() const

@@ -49,7 +49,7 @@ struct Row
   bool required = false;    ///< whether the command asks for it
 
   /// For keys, where `asked` are the settings that the user began with: goes on to the next value.
-  /// None: to the other state of a flag, or to the next of the words.
+  /// None: to the other state of a flag, or to the next of the words or offers.
   std::function<void(Settings&, const Settings& asked)> next = {};
   /// What is chosen, in a few words that the window shows when a key has changed it; or none.
   std::function<std::string(const Settings&)> told = {};

@@ -4,7 +4,9 @@
 #include "ParseNumber.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 
@@ -165,6 +167,43 @@ private:
 };
 
 } // namespace
+
+void requireFewBonds(std::string_view model, const std::string& path)
+{
+  constexpr std::uint64_t mostPairs = 50'000'000;
+  // Two atoms within a cell of half an angstrom are a bond, whatever they are.
+  std::vector<std::array<std::int64_t, 3>> cells;
+  for (std::size_t begin = 0; begin < model.size();)
+  {
+    const std::size_t end = std::min(model.find('\n', begin), model.size());
+    const std::string_view line = model.substr(begin, end - begin);
+    begin = end + 1;
+    if (const std::string record = recordName(line); record != "ATOM" && record != "HETATM")
+      continue;
+    auto& cell = cells.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double value = 0;
+      parseDouble(
+        field(line, CoordinatesBegin + axis * CoordinateWidth, CoordinateWidth).c_str(), value);
+      cell[axis] = static_cast<std::int64_t>(std::floor(std::clamp(2.0 * value, -1e15, 1e15)));
+    }
+  }
+  if (cells.size() * cells.size() / 2 <= mostPairs)
+    return;
+  std::sort(cells.begin(), cells.end());
+  std::uint64_t pairs = 0, before = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i)
+  {
+    before = cells[i] == cells[i - 1] ? before + 1 : 0;
+    pairs += before;
+  }
+  if (pairs > mostPairs)
+    throw FileError(FileError::Kind::Malformed, path,
+      "atoms lie so close together that there are more than 50 million bonds; coordinates of PDB "
+      "are "
+      "in angstroms");
+}
 
 std::string PDBModels::textOf(std::string_view text, std::size_t model) const
 {

@@ -36,6 +36,10 @@ struct PDBModels
 /// therefore only noticed if it has fewer atoms than its MASTER record counts.
 PDBModels checkPDB(std::string_view text, const std::string& path);
 
+/// Throws FileError where atoms of a model, which checkPDB() has been through, lie so close
+/// together that the bonds between them would fill the memory.
+void requireFewBonds(std::string_view model, const std::string& path);
+
 } // namespace mote
 
 #endif

@@ -145,6 +145,7 @@ int CheckedPDBReader::RequestData(
     const std::size_t model = this->ModelOf(information);
     std::string text =
       model < Models.models.size() ? Models.textOf(file.text(), model) : std::string("END\n");
+    mote::requireFewBonds(text, file.path());
     FILE* const stream = fmemopen(text.data(), text.size(), "r");
     if (!stream)
       throw mote::FileError(

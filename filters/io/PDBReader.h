@@ -10,9 +10,9 @@ class vtkAlgorithm;
 namespace mote
 {
 
-/// A vtkPDBReader that reports damaged files (see checkPDB) whenever it reads, whose models are time
-/// steps, and which gives "radius" one component, as arrays of radii have, where VTK's has the radius
-/// three times.
+/// A vtkPDBReader that reports damaged files (see checkPDB) whenever it reads, whose models are
+/// time steps, and which gives "radius" one component, as arrays of radii have, where VTK's has the
+/// radius three times.
 vtkSmartPointer<vtkAlgorithm> makePDBReader(const std::string& fileName);
 
 } // namespace mote

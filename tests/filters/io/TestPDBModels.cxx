@@ -133,6 +133,10 @@ TEST_F(TestPDBModels, AnyThatIsDamaged)
     write("a.pdb", "MODEL        1\n" + atom(1) + "ENDMDL\nMODEL        2\n" + cut + "ENDMDL\n"),
     ", line 5: the record of an atom ends after 40 columns");
   expectError(write("b.pdb", "MODEL        1\nENDMDL\nEND\n"), "no points");
+  std::string same;
+  for (int i = 0; i < 20000; ++i)
+    same += atom(1);
+  expectError(write("c.pdb", same), "more than 50 million bonds");
 }
 
 } // namespace

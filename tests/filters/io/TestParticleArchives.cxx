@@ -166,7 +166,8 @@ TEST_F(TestParticleArchives, UintahThatIsDamaged)
   expectError(damaged(false, "t00000/timestep.xml", ""), "t00000/timestep.xml");
   expectError(damaged(false, "t00000/l0/p00001.data", ""), "there is no file");
   expectError(damaged(false, "t00000/l0/p00001.data", "short"), "it is truncated");
-  expectError(damaged(false, "t00000/l0/p00001.xml", "<Uintah_Output><Variable"), "truncated");
+  expectError(damaged(false, "t00000/l0/p00001.xml", "<Uintah_Output><Variable"),
+    "the file ends within '<Variable'");
   expectError(damaged(false, "t00000/timestep.xml", "<Uintah_timestep></Uintah_timestep>"),
     "names no files of data");
   expectError(damaged(true, "t00000/l0/p00001.data", std::string(2000, 'x')), "damaged");
