@@ -74,10 +74,12 @@ void checkAtom(const Walk& walk, std::string_view line)
     const char* const end = parseDouble(text.c_str(), value);
     if (!end || *end != '\0')
     {
-      walk.refuse(FileError::Kind::Malformed,
-        std::string("expected a number for '") + static_cast<char>('x' + axis) + "', found '" +
-          text + "'",
-        begin + 1);
+      std::string sentence = "expected a number for '";
+      sentence.append(1, static_cast<char>('x' + axis))
+        .append("', found '")
+        .append(text)
+        .append("'");
+      walk.refuse(FileError::Kind::Malformed, sentence, begin + 1);
     }
   }
 }
