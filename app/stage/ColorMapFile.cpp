@@ -17,6 +17,7 @@
 #include <map>
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 namespace mote::app
 {
@@ -179,9 +180,10 @@ ColorMapFile parsedMaps(const std::string& text, const Named& named)
   {
     throw Failure(named.file + ": the file is no JSON, or is truncated");
   }
-  const Json list = json.is_array() ? json : Json::array({json});
+  if (!json.is_array())
+    json = Json::array({std::move(json)});
   std::vector<std::string> names;
-  for (const Json& map : list)
+  for (const Json& map : json)
   {
     if (!map.is_object())
       continue;
