@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "TextFile.h"
+#include "WholeFile.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +10,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string_view>
 
 namespace mote
@@ -17,13 +20,13 @@ namespace mote
 namespace
 {
 
-/// Goes through a file of lists, in text or in bytes.
+/// Goes through a file of lists, in text or in bytes, packed or not.
 class ListFile
 {
 public:
   explicit ListFile(const std::string& path)
     : file_(path)
-    , text_(file_.text())
+    , text_(file_.bytes())
   {
     this->readHead();
   }
@@ -298,7 +301,7 @@ private:
     return labelBytes_ == 8 ? longLabel : label;
   }
 
-  TextFile file_;
+  WholeFile file_;
   std::string_view text_;
   std::size_t at_ = 0;
   bool isBinary_ = false;
@@ -307,9 +310,8 @@ private:
 };
 
 /// How many faces there are, which name points below `points`.
-std::int64_t checkFaces(const std::string& path, std::int64_t points)
+std::int64_t checkFaces(ListFile& file, std::int64_t points)
 {
-  ListFile file(path);
   const auto requirePoint = [&](std::int64_t point)
   {
     if (point < 0 || point >= points)
@@ -332,11 +334,35 @@ std::int64_t checkFaces(const std::string& path, std::int64_t points)
   return begins - 1;
 }
 
-/// Whether a file is there as it is; packed ones, with .gz, are left to the reader.
-bool isThere(const std::filesystem::path& file)
+/// Throws FileError where the cells on one side of the faces do not fit them.
+void checkCells(ListFile& file, bool isOwner, std::int64_t faces)
+{
+  const std::int64_t least = isOwner ? 0 : -1; // of faces that have none
+  const std::int64_t count = file.labels(
+    [&](std::int64_t cell)
+    {
+      if (cell < least || cell >= faces) // a mesh has more faces than cells
+        file.fail("there is no cell " + std::to_string(cell));
+    });
+  if (isOwner ? count != faces : count > faces)
+    file.fail(
+      "there are " + std::to_string(count) + " cells for " + std::to_string(faces) + " faces");
+}
+
+/// A simulation that runs may take files away meanwhile.
+bool isThere(const std::string& path)
 {
   std::error_code error;
-  return std::filesystem::is_regular_file(file, error) && !TextFile(file.string()).isGzip();
+  return std::filesystem::is_regular_file(path, error);
+}
+
+/// A file of a mesh as the reader finds it: under its own name, or else packed, with .gz behind it.
+std::optional<std::string> findFile(const std::filesystem::path& folder, const std::string& name)
+{
+  for (const std::string& one : {(folder / name).string(), (folder / (name + ".gz")).string()})
+    if (isThere(one))
+      return one;
+  return std::nullopt;
 }
 
 } // namespace
@@ -344,41 +370,31 @@ bool isThere(const std::filesystem::path& file)
 void checkFoamMesh(const std::string& folder)
 {
   const std::filesystem::path mesh(folder);
-  if (isThere(mesh / "boundary")) // which the reader looks at before it misses the others
+  if (const auto path = findFile(mesh, "boundary")) // looked at before others are missed
   {
-    ListFile boundary((mesh / "boundary").string());
+    ListFile boundary(*path);
     boundary.requireShallow();
     boundary.patches();
   }
-  for (const char* name : {"points", "faces", "owner", "neighbour"})
-    if (isThere(mesh / name))
-      ListFile((mesh / name).string()).requireShallow(true);
   for (const char* name : {"cellZones", "faceZones", "pointZones"})
-    if (isThere(mesh / name))
-      ListFile((mesh / name).string()).requireShallow();
-  if (!isThere(mesh / "points") || !isThere(mesh / "faces") || !isThere(mesh / "owner"))
-    return;
-  const std::int64_t points = ListFile((mesh / "points").string()).places();
-  const std::int64_t faces = checkFaces((mesh / "faces").string(), points);
-  if (faces < 0)
-    return;
-  for (const char* name : {"owner", "neighbour"})
+    if (const auto path = findFile(mesh, name))
+      ListFile(*path).requireShallow();
+  const auto open = [&](const char* name)
   {
-    if (!isThere(mesh / name))
-      return;
-    ListFile file((mesh / name).string());
-    const bool isOwner = name[0] == 'o';
-    const std::int64_t least = isOwner ? 0 : -1; // of faces that have none
-    const std::int64_t count = file.labels(
-      [&](std::int64_t cell)
-      {
-        if (cell < least || cell >= faces) // a mesh has more faces than cells
-          file.fail("there is no cell " + std::to_string(cell));
-      });
-    if (isOwner ? count != faces : count > faces)
-      file.fail(
-        "there are " + std::to_string(count) + " cells for " + std::to_string(faces) + " faces");
-  }
+    const auto path = findFile(mesh, name);
+    auto file = path ? std::make_unique<ListFile>(*path) : nullptr;
+    if (file)
+      file->requireShallow(true);
+    return file;
+  };
+  std::int64_t points = -1, faces = -1; // not known
+  if (const auto file = open("points"))
+    points = file->places();
+  if (const auto file = open("faces"); file && points >= 0)
+    faces = checkFaces(*file, points);
+  for (const char* name : {"owner", "neighbour"})
+    if (const auto file = open(name); file && faces >= 0)
+      checkCells(*file, name[0] == 'o', faces);
 }
 
 void checkFoamDepth(const std::string& path)

@@ -7,8 +7,8 @@ namespace mote
 {
 
 /// Throws FileError where the faces, owners and neighbours of an OpenFOAM mesh (a folder polyMesh)
-/// do not fit together, so that VTK 9.1's reader would crash or take very long. Files that are
-/// packed, and what that reader finds itself, are left to it.
+/// do not fit together, so that VTK 9.1's reader would crash or take very long, and where a file
+/// that is packed, with .gz, is damaged. What that reader finds itself is left to it.
 void checkFoamMesh(const std::string& folder);
 
 /// Throws FileError where a file of OpenFOAM is a field whose part on the boundary is damaged in a

@@ -68,7 +68,10 @@ protected:
       for (const std::string& field : mote::foamFieldsOf(this->Case, time))
       {
         mote::checkFoamField(field);
-        units.emplace(std::filesystem::path(field).filename().string(), mote::foamUnitOf(field));
+        std::filesystem::path name = std::filesystem::path(field).filename();
+        if (name.extension() == ".gz") // packed: not of the field's name
+          name = name.stem();
+        units.emplace(name.string(), mote::foamUnitOf(field));
       }
     }
     catch (const mote::FileError& error)

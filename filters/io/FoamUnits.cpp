@@ -1,10 +1,10 @@
 #include "FoamUnits.h"
 
+#include "TextFile.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <string_view>
 
 namespace mote
 {
@@ -12,10 +12,7 @@ namespace mote
 std::string foamUnitOf(const std::string& path)
 {
   // They stand behind the head, before any values.
-  std::array<char, 8192> begin{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), begin.size());
-  const std::string_view text(begin.data(), static_cast<std::size_t>(file.gcount()));
+  const std::string text = readBeginning(path, 8192);
   const std::size_t head = text.find("FoamFile");
   const std::size_t key = head == text.npos ? head : text.find("\ndimensions", head);
   const std::size_t open = key == text.npos ? key : text.find('[', key);

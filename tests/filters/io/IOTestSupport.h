@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
+#include <vector>
 #include <zlib.h>
 
 /// A folder of its own for every test, removed afterwards.
@@ -38,6 +39,27 @@ protected:
     gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
     gzclose(file);
     return path(name);
+  }
+
+  std::string textOf(const std::string& name) const
+  {
+    std::ifstream stream(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  /// Packs the mesh and the fields of an OpenFOAM case, as writeCompression on; does.
+  void packFoam(const std::string& folder) const
+  {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(folder)))
+      if (entry.is_regular_file() && entry.file_size() > 0 &&
+          entry.path().filename() != "controlDict")
+        names.push_back(std::filesystem::relative(entry.path(), m_folder).string());
+    for (const std::string& name : names)
+    {
+      writeGzip(name + ".gz", textOf(name));
+      std::filesystem::remove(path(name));
+    }
   }
 
   /// Has a writer of VTK write a data object.

@@ -55,12 +55,6 @@ protected:
     return error;
   }
 
-  static std::string bytesOf(const std::filesystem::path& file)
-  {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
   /// The bytes without an end, with others among them, or with another number.
   static std::string damaged(std::string bytes, int kind, std::mt19937& random)
   {
@@ -86,25 +80,25 @@ protected:
   {
     testing::internal::CaptureStderr();
     EXPECT_EQ(read(file), "");
-    std::vector<std::filesystem::path> files;
+    std::vector<std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path("")))
       if (entry.is_regular_file() && entry.file_size() > 0)
-        files.push_back(entry.path());
+        files.push_back(std::filesystem::relative(entry.path(), path("")).string());
     std::sort(files.begin(), files.end());
     std::mt19937 random(11);
     int refused = 0;
     for (const auto& one : files)
     {
-      const std::string whole = bytesOf(one);
+      const std::string whole = textOf(one);
       for (int i = 0; i < times; ++i)
       {
-        std::ofstream(one, std::ios::binary) << damaged(whole, i % 3, random);
+        write(one, damaged(whole, i % 3, random));
         const std::string error = read(file);
         refused += !error.empty();
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
         EXPECT_TRUE(error.empty() || error.find(path("")) != std::string::npos) << error;
       }
-      std::ofstream(one, std::ios::binary) << whole;
+      write(one, whole);
     }
     EXPECT_GT(refused, static_cast<int>(files.size()) * times / 4);
     EXPECT_EQ(read(file), "");
@@ -125,6 +119,13 @@ TEST_F(TestDamagedMeshes, BinaryOpenFOAM)
 TEST_F(TestDamagedMeshes, DecomposedOpenFOAM)
 {
   damage(samples::writeDecomposedFoam(path("decomposed"), true), 12);
+}
+
+TEST_F(TestDamagedMeshes, PackedOpenFOAM)
+{
+  const std::string file = samples::writeFoam(path("packed"));
+  packFoam("packed");
+  damage(file, 15);
 }
 
 TEST_F(TestDamagedMeshes, EnSight)
@@ -238,31 +239,38 @@ TEST_F(TestDamagedMeshes, Collections)
 
 TEST_F(TestDamagedMeshes, WhatCrashedAReader)
 {
-  const auto change = [&](const std::string& name, const std::string& from, const std::string& to)
-  {
-    const std::string whole = bytesOf(path(name));
-    const std::size_t at = whole.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    write(name, std::string(whole).replace(at, from.size(), to));
-    const std::string error = read(path(name.substr(0, name.find('/')) + "/case.foam"));
-    EXPECT_NE(error.find(name), std::string::npos) << error;
-    write(name, whole);
-  };
   samples::writeFoam(path("foam"));
-  change("foam/0/U", "boundaryField\n", "boundaryField/");
-  // The reader looks at the boundary before it misses another file.
-  std::filesystem::rename(path("foam/constant/polyMesh/owner"), path("owner"));
-  change("foam/constant/polyMesh/boundary", "(", "nothing");
-  std::filesystem::rename(path("owner"), path("foam/constant/polyMesh/owner"));
-  change("foam/constant/polyMesh/boundary", "inlet\n    {", "inlet\n    ");
-  change("foam/constant/polyMesh/owner", "\n0", "\n-5");
-  change("foam/constant/polyMesh/faces", "4(1", "4(100");
+  for (const bool isPacked : {false, true})
+  {
+    const auto change = [&](const std::string& name, const std::string& from, const std::string& to)
+    {
+      SCOPED_TRACE(name + " with " + to + (isPacked ? ", packed" : ""));
+      std::filesystem::copy(
+        path("foam"), path("changed"), std::filesystem::copy_options::recursive);
+      std::string text = textOf("foam/" + name);
+      const std::size_t at = text.find(from);
+      ASSERT_NE(at, std::string::npos);
+      write("changed/" + name, text.replace(at, from.size(), to));
+      if (isPacked)
+        packFoam("changed");
+      const std::string error = read(path("changed/case.foam"));
+      EXPECT_NE(error.find("changed/" + name), std::string::npos) << error;
+      std::filesystem::remove_all(path("changed"));
+    };
+    change("0/U", "boundaryField\n", "boundaryField/");
+    // The reader looks at the boundary before it misses another file.
+    std::filesystem::rename(path("foam/constant/polyMesh/owner"), path("owner"));
+    change("constant/polyMesh/boundary", "(", "nothing");
+    std::filesystem::rename(path("owner"), path("foam/constant/polyMesh/owner"));
+    change("constant/polyMesh/boundary", "inlet\n    {", "inlet\n    ");
+    change("constant/polyMesh/owner", "\n0", "\n-5");
+    change("constant/polyMesh/faces", "4(1", "4(100");
+  }
   const std::string file = samples::writeEnSight(path("ensight"), true);
-  const std::string geometry = path("ensight/box.geo");
   for (const std::size_t bytes : {0u, 300u, 900u})
   {
-    const std::string whole = bytesOf(geometry);
-    std::filesystem::resize_file(geometry, bytes);
+    const std::string whole = textOf("ensight/box.geo");
+    truncate("ensight/box.geo", bytes);
     EXPECT_NE(read(file).find("box.geo: the file ends too early"), std::string::npos) << read(file);
     write("ensight/box.geo", whole);
   }

@@ -130,12 +130,13 @@ TEST_F(TestFormatRefusals, EntriesOfOpenFOAMThatLieInOneAnotherTooDeeply)
     const std::string folder = path("deep");
     std::filesystem::remove_all(folder);
     const std::string foam = samples::writeFoam(folder, {isBinary});
-    std::ifstream stream(folder + "/" + file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = textOf("deep/" + file);
     const std::size_t at = text.find(before);
     ASSERT_NE(at, text.npos);
     text.insert(at + before.size(), more);
     write("deep/" + file, text);
+    expectError(foam, "lie in one another too deeply");
+    packFoam("deep");
     expectError(foam, "lie in one another too deeply");
   };
   refused("0/p", "boundaryField\n{", nested("{ x ", "}"));

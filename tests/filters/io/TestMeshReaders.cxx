@@ -125,6 +125,28 @@ TEST_F(TestMeshReaders, OpenFOAM)
   }
 }
 
+TEST_F(TestMeshReaders, PackedOpenFOAM)
+{
+  for (const bool isBinary : {false, true})
+  {
+    const std::string name = isBinary ? "binary" : "ascii";
+    const std::string foam = samples::writeFoam(path(name), {isBinary});
+    packFoam(name);
+    ASSERT_FALSE(std::filesystem::exists(path(name + "/constant/polyMesh/points")));
+    EXPECT_EQ(open(foam), (Times{0.0, 0.5}));
+    const Blocks blocks = readAt(0.5);
+    ASSERT_EQ(namesOf(blocks), (Names{"inlet", "internalMesh", "outlet", "walls"}));
+    vtkDataSet* mesh = blocks.at("internalMesh");
+    EXPECT_EQ(mesh->GetNumberOfCells(), 12);
+    vtkDataArray* pressure = mesh->GetCellData()->GetArray("p");
+    ASSERT_TRUE(pressure);
+    EXPECT_EQ(value(pressure, 7), 7.5);
+    const char* unit = pressure->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+    EXPECT_STREQ(unit, "m^2 s^-2");
+    EXPECT_EQ(value(mesh->GetCellData()->GetArray("U"), 7, 1), 7.0);
+  }
+}
+
 TEST_F(TestMeshReaders, DecomposedOpenFOAM)
 {
   for (const bool isBinary : {false, true})
