@@ -26,6 +26,8 @@ int main(int count, char** words)
     {
       keep(kind, samples::writeFoam(place, {isBinary}));
       std::filesystem::create_directories(place);
+      keep("moving-" + kind, samples::writeFoam(place, {isBinary, -1, true, true}));
+      std::filesystem::create_directories(place);
       keep("decomposed-" + kind, samples::writeDecomposedFoam(place, isBinary));
       continue;
     }

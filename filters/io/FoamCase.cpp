@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace mote
@@ -41,17 +42,19 @@ std::optional<double> timeOf(const fs::path& folder)
   return error == std::errc() && stop == end ? std::optional(time) : std::nullopt;
 }
 
-/// The folders polyMesh of a case: of all its regions.
-std::vector<fs::path> meshesIn(const fs::path& folder)
+/// The regions of a case that have a mesh: names of folders, which is empty for the whole case.
+std::vector<std::string> regionsIn(const fs::path& folder)
 {
-  std::vector<fs::path> meshes;
-  std::error_code error;
-  std::vector<fs::path> regions = foldersIn(folder / "constant");
-  regions.push_back(folder / "constant");
-  for (const fs::path& region : regions)
-    if (fs::is_directory(region / "polyMesh", error))
-      meshes.push_back(region / "polyMesh");
-  return meshes;
+  std::vector<std::string> regions = {""};
+  for (const fs::path& region : foldersIn(folder / "constant"))
+    regions.push_back(region.filename().string());
+  std::erase_if(regions,
+    [&](const std::string& region)
+    {
+      std::error_code error;
+      return !fs::is_directory(folder / "constant" / region / "polyMesh", error);
+    });
+  return regions;
 }
 
 /// The case's own folder, or those of its processors.
@@ -103,8 +106,8 @@ FoamCase foamCaseOf(const std::string& fileName)
   if (!fs::is_directory(folder / "constant", error) && folder.filename() == "system")
     folder = folder / "..";
   const fs::path first = folder / "processor0";
-  const bool hasMesh = !meshesIn(folder).empty();
-  const bool hasParts = !meshesIn(first).empty();
+  const bool hasMesh = !regionsIn(folder).empty();
+  const bool hasParts = !regionsIn(first).empty();
   if (!hasMesh && !hasParts)
   {
     const auto folders = foldersIn(folder);
@@ -120,39 +123,66 @@ FoamCase foamCaseOf(const std::string& fileName)
   if (hasParts)
     requireNoStreams(first); // others are as that one
   const bool isDecomposed = hasParts && (!hasMesh || timesIn(first) > timesIn(folder));
-  const FoamCase found = {folder.string(), isDecomposed};
-  for (const fs::path& one : casesIn(found))
-    for (const fs::path& mesh : meshesIn(one))
-      checkFoamMesh(mesh.string());
-  return found;
+  return {folder.string(), isDecomposed};
 }
 
 namespace
 {
+
+/// The folders of times, from the first one to that which is nearest to this time, or else of the
+/// first alone.
+std::vector<fs::path> foldersUntil(const fs::path& folder, std::optional<double> time)
+{
+  std::vector<std::pair<double, fs::path>> all;
+  for (const fs::path& one : foldersIn(folder))
+    if (const auto own = timeOf(one))
+      all.emplace_back(*own, one);
+  std::sort(all.begin(), all.end());
+  const auto away = [&](const auto& one) { return time ? std::abs(one.first - *time) : one.first; };
+  const auto nearest = std::min_element(all.begin(), all.end(),
+    [&](const auto& one, const auto& other) { return away(one) < away(other); });
+  std::vector<fs::path> found;
+  for (auto one = all.begin(); one != all.end() && one <= nearest; ++one)
+    found.push_back(one->second);
+  return found;
+}
 
 /// The folders of the time that is nearest to this one, or else of the first: one a case.
 std::vector<fs::path> foldersOfTime(const FoamCase& which, std::optional<double> time)
 {
   std::vector<fs::path> found;
   for (const fs::path& one : casesIn(which))
-  {
-    fs::path nearest;
-    double least = 0.0;
-    for (const fs::path& folder : foldersIn(one))
-      if (const auto own = timeOf(folder))
-        if (const double away = time ? std::abs(*own - *time) : *own;
-            nearest.empty() || away < least)
-        {
-          nearest = folder;
-          least = away;
-        }
-    if (!nearest.empty())
-      found.push_back(nearest);
-  }
+    if (const auto folders = foldersUntil(one, time); !folders.empty())
+      found.push_back(folders.back());
   return found;
 }
 
 } // namespace
+
+std::vector<FoamMesh> foamMeshesOf(const FoamCase& which, std::optional<double> time)
+{
+  std::vector<FoamMesh> meshes;
+  for (const fs::path& one : casesIn(which))
+  {
+    std::vector<fs::path> folders = foldersUntil(one, time);
+    folders.insert(folders.begin(), one / "constant");
+    for (const std::string& region : regionsIn(one))
+    {
+      FoamMesh mesh;
+      for (const fs::path& folder : folders)
+      {
+        const std::string polyMesh = (folder / region / "polyMesh").string();
+        const bool isFirst = &folder == &folders.front();
+        if (isFirst || findFoamFile(polyMesh, "points"))
+          mesh.points = polyMesh;
+        if (isFirst || findFoamFile(polyMesh, "faces"))
+          mesh.faces = polyMesh;
+      }
+      meshes.push_back(mesh);
+    }
+  }
+  return meshes;
+}
 
 std::vector<std::string> foamFilesOf(const FoamCase& which, std::optional<double> time)
 {

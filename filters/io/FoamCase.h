@@ -1,6 +1,8 @@
 #ifndef MoteFoamCase_h
 #define MoteFoamCase_h
 
+#include "FoamMesh.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,10 +18,14 @@ struct FoamCase
 };
 
 /// The case that a file belongs to: that in whose folder it lies, or, for a file in the folder
-/// system, that of the folder above. Looks at folders and at what the files of the mesh say of
-/// themselves. Throws FileError where there is no mesh, and where the mesh is damaged so that VTK
-/// 9.1's reader would crash or run for very long.
+/// system, that of the folder above. Looks at folders alone. Throws FileError where there is no
+/// mesh.
 FoamCase foamCaseOf(const std::string& fileName);
+
+/// The meshes of all regions, of a decomposed case of all processors, at the time that is nearest
+/// to this one, or else at the first. A mesh that moves has new points in the folder of a time, one
+/// whose cells change all files.
+std::vector<FoamMesh> foamMeshesOf(const FoamCase& which, std::optional<double> time);
 
 /// The files of the fields of the time that is nearest to this one.
 std::vector<std::string> foamFieldsOf(const FoamCase& which, double time);

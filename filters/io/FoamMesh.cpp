@@ -98,26 +98,50 @@ public:
     this->expect(')');
   }
 
-  /// The lists of values in a field, which must have room in the file: memory for them is taken
-  /// before they are read.
-  void valueLists()
+  /// The lists of values in a field, for which memory is taken before they are read: they must have
+  /// room in the file, or, where they are of one value, "12{0}", at most as many as there are
+  /// places.
+  template <class Places>
+  void valueLists(const Places& places)
   {
     constexpr std::string_view name = "List<";
     const std::size_t begin = at_;
     for (std::size_t at = text_.find(name, at_); at != text_.npos; at = text_.find(name, at + 1))
     {
       at_ = std::min(text_.find('>', at), text_.size() - 1) + 1;
-      this->skip();
-      std::int64_t count = 0;
-      const char* const end = text_.data() + text_.size();
-      const auto [stop, error] = std::from_chars(text_.data() + at_, end, count);
-      // What is no number the reader finds itself.
-      if (error == std::errc::result_out_of_range ||
-          (error == std::errc() && (count < 0 || count > this->left())))
-        this->fail("the file has no room for a list that says how long it is at byte " +
-                   std::to_string(at_));
+      this->valueList(places);
     }
     at_ = begin;
+  }
+
+  /// One such list, such as the values of a cloud's particles. places() tells how many there may
+  /// be.
+  template <class Places>
+  void valueList(const Places& places)
+  {
+    this->skip();
+    std::int64_t count = 0;
+    const char* const end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + at_, end, count);
+    if (error == std::errc::invalid_argument)
+      return; // what is no number the reader finds itself
+    const std::size_t number = at_;
+    at_ = static_cast<std::size_t>(stop - text_.data());
+    this->skip();
+    const bool isOfOne = at_ < text_.size() && text_[at_] == '{';
+    if (error != std::errc() || count < 0 || count > (isOfOne ? places() : this->left()))
+      this->fail(
+        std::string(isOfOne ? "there are not as many places as" : "the file has no room for") +
+        " a list that says how long it is at byte " + std::to_string(number));
+  }
+
+  /// How many entries the list has that begins here; none where there is no number.
+  std::int64_t length()
+  {
+    this->skip();
+    std::int64_t count = 0;
+    std::from_chars(text_.data() + at_, text_.data() + text_.size(), count);
+    return std::clamp(count, std::int64_t{0}, this->left());
   }
 
   /// What a field has on the boundary, which must stand in braces where it is there.
@@ -356,45 +380,48 @@ bool isThere(const std::string& path)
   return std::filesystem::is_regular_file(path, error);
 }
 
-/// A file of a mesh as the reader finds it: under its own name, or else packed, with .gz behind it.
-std::optional<std::string> findFile(const std::filesystem::path& folder, const std::string& name)
+} // namespace
+
+std::optional<std::string> findFoamFile(const std::string& folder, const std::string& name)
 {
-  for (const std::string& one : {(folder / name).string(), (folder / (name + ".gz")).string()})
+  for (const std::string& one : {folder + "/" + name, folder + "/" + name + ".gz"})
     if (isThere(one))
       return one;
   return std::nullopt;
 }
 
-} // namespace
-
-void checkFoamMesh(const std::string& folder)
+std::int64_t checkFoamMesh(const FoamMesh& mesh)
 {
-  const std::filesystem::path mesh(folder);
-  if (const auto path = findFile(mesh, "boundary")) // looked at before others are missed
+  if (const auto path = findFoamFile(mesh.faces, "boundary")) // looked at before others are missed
   {
     ListFile boundary(*path);
     boundary.requireShallow();
     boundary.patches();
   }
   for (const char* name : {"cellZones", "faceZones", "pointZones"})
-    if (const auto path = findFile(mesh, name))
+    if (const auto path = findFoamFile(mesh.faces, name))
       ListFile(*path).requireShallow();
-  const auto open = [&](const char* name)
+  const auto open = [](const std::string& folder, const char* name)
   {
-    const auto path = findFile(mesh, name);
+    const auto path = findFoamFile(folder, name);
     auto file = path ? std::make_unique<ListFile>(*path) : nullptr;
     if (file)
       file->requireShallow(true);
     return file;
   };
   std::int64_t points = -1, faces = -1; // not known
-  if (const auto file = open("points"))
+  if (const auto file = open(mesh.points, "points"))
     points = file->places();
-  if (const auto file = open("faces"); file && points >= 0)
+  std::int64_t most = points;
+  if (const auto file = open(mesh.faces, "faces"); file && points >= 0)
+  {
     faces = checkFaces(*file, points);
+    most = std::max(most, faces < 0 ? file->length() : faces);
+  }
   for (const char* name : {"owner", "neighbour"})
-    if (const auto file = open(name); file && faces >= 0)
+    if (const auto file = open(mesh.faces, name); file && faces >= 0)
       checkCells(*file, name[0] == 'o', faces);
+  return most;
 }
 
 void checkFoamDepth(const std::string& path)
@@ -403,14 +430,31 @@ void checkFoamDepth(const std::string& path)
     ListFile(path).requireShallow();
 }
 
-void checkFoamField(const std::string& path)
+void checkFoamField(const std::string& path, std::int64_t places)
 {
   const std::string beginning = isThere(path) ? readBeginning(path, 2048) : "";
   if (beginning.find("FoamFile") == beginning.npos || beginning.find("Field") == beginning.npos)
     return;
   ListFile field(path);
-  field.valueLists();
+  field.valueLists([&] { return places; });
   field.boundaryField();
+}
+
+void checkFoamCloud(const std::string& path)
+{
+  const std::filesystem::path cloud = std::filesystem::path(path).parent_path();
+  if (cloud.parent_path().filename() != "lagrangian" || !isThere(path) ||
+      readBeginning(path, 2048).find("FoamFile") == std::string::npos)
+    return;
+  const auto particles = [&]
+  {
+    std::int64_t count = 0;
+    for (const char* name : {"positions", "coordinates"})
+      if (const auto file = findFoamFile(cloud.string(), name))
+        count = std::max(count, ListFile(*file).length());
+    return count;
+  };
+  ListFile(path).valueList(particles);
 }
 
 } // namespace mote

@@ -1,19 +1,39 @@
 #ifndef MoteFoamMesh_h
 #define MoteFoamMesh_h
 
+#include <compare>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace mote
 {
 
-/// Throws FileError where the faces, owners and neighbours of an OpenFOAM mesh (a folder polyMesh)
-/// do not fit together, so that VTK 9.1's reader would crash or take very long, and where a file
-/// that is packed, with .gz, is damaged. What that reader finds itself is left to it.
-void checkFoamMesh(const std::string& folder);
+/// The folders (polyMesh) that the files of an OpenFOAM mesh lie in: that of its points, and that
+/// of all others.
+struct FoamMesh
+{
+  std::string points, faces;
+  auto operator<=>(const FoamMesh&) const = default;
+};
 
-/// Throws FileError where a file of OpenFOAM is a field whose part on the boundary is damaged in a
-/// way that VTK 9.1's reader would crash by.
-void checkFoamField(const std::string& path);
+/// A file of a mesh as the reader finds it: under its own name, or else packed, with .gz behind it.
+std::optional<std::string> findFoamFile(const std::string& folder, const std::string& name);
+
+/// Throws FileError where the faces, owners and neighbours of a mesh do not fit together, so that
+/// VTK 9.1's reader would crash or take very long, and where a file that is packed, with .gz, is
+/// damaged. What that reader finds itself is left to it. Returns how many points there are, or
+/// faces if they are more: no field has more values in a place.
+std::int64_t checkFoamMesh(const FoamMesh& mesh);
+
+/// Throws FileError where a file of OpenFOAM is a field for which VTK 9.1's reader would take
+/// memory without bound, or whose part on the boundary is damaged in a way that it would crash by.
+/// No list of a single value has more than `places`.
+void checkFoamField(const std::string& path, std::int64_t places);
+
+/// The same of the values of a cloud's particles (a file in lagrangian/CLOUD), of which there are
+/// as many as positions. Other files pass.
+void checkFoamCloud(const std::string& path);
 
 /// Throws FileError where entries of a file of OpenFOAM lie in one another more than a hundred
 /// deep.

@@ -21,8 +21,11 @@
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace
 {
@@ -53,6 +56,21 @@ public:
 
   mote::FoamCase Case;
 
+  /// Throws FileError where a mesh of this time, or else of the first, is damaged. Looks at none
+  /// twice. Returns how many values a field has in a place at most.
+  std::int64_t CheckMeshes(std::optional<double> time)
+  {
+    std::int64_t most = 0;
+    for (const mote::FoamMesh& mesh : mote::foamMeshesOf(this->Case, time))
+    {
+      auto known = this->Checked.find(mesh);
+      if (known == this->Checked.end())
+        known = this->Checked.emplace(mesh, mote::checkFoamMesh(mesh)).first;
+      most = std::max(most, known->second);
+    }
+    return most;
+  }
+
 protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
@@ -63,11 +81,15 @@ protected:
     try
     {
       const double time = information->Has(key) ? information->Get(key) : 0.0;
+      const std::int64_t places = this->CheckMeshes(time);
       for (const std::string& file : mote::foamFilesOf(this->Case, time))
+      {
         mote::checkFoamDepth(file);
+        mote::checkFoamCloud(file);
+      }
       for (const std::string& field : mote::foamFieldsOf(this->Case, time))
       {
-        mote::checkFoamField(field);
+        mote::checkFoamField(field, places);
         std::filesystem::path name = std::filesystem::path(field).filename();
         if (name.extension() == ".gz") // packed: not of the field's name
           name = name.stem();
@@ -85,6 +107,9 @@ protected:
       nameUnits(part, units);
     return done;
   }
+
+private:
+  std::map<mote::FoamMesh, std::int64_t> Checked;
 };
 
 vtkStandardNewMacro(vtkMoteFoamReader);
@@ -98,6 +123,7 @@ vtkSmartPointer<vtkAlgorithm> makeFoamReader(const std::string& fileName)
 {
   auto reader = vtkSmartPointer<vtkMoteFoamReader>::New();
   reader->Case = foamCaseOf(fileName);
+  reader->CheckMeshes({});
   for (const std::string& file : foamFilesOf(reader->Case, {})) // which fields there are
     checkFoamDepth(file);
   reader->SetController(vtkNew<vtkDummyController>()); // it does not look whether there is one

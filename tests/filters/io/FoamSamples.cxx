@@ -24,7 +24,11 @@ public:
 
   void write()
   {
-    this->writeMesh();
+    this->writeMesh("constant", 0.0);
+    if (how_.isMoving)
+      this->writeMesh("0.5", 1.0);
+    if (how_.hasCloud)
+      this->writeCloud();
     for (const double time : {0.0, 0.5})
     {
       this->writePressure(time);
@@ -58,7 +62,9 @@ private:
     const auto path = std::filesystem::path(folder_) / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream file(path, std::ios::binary);
-    const bool isBinary = how_.isBinary && kind != "polyBoundaryMesh" && kind != "dictionary";
+    const bool isText =
+      kind == "polyBoundaryMesh" || kind == "dictionary" || name.find("lagrangian") != name.npos;
+    const bool isBinary = how_.isBinary && !isText;
     file << "FoamFile\n{\n    version     2.0;\n    format      " << (isBinary ? "binary" : "ascii")
          << ";\n    arch        \"LSB;label=32;scalar=64\";\n    class       " << kind
          << ";\n    object      " << path.filename().string() << ";\n}\n\n";
@@ -90,10 +96,10 @@ private:
     file << (how_.isBinary ? ")\n" : "\n)\n");
   }
 
-  void writeFaces(const std::vector<Quad>& faces) const
+  void writeFaces(const std::string& folder, const std::vector<Quad>& faces) const
   {
     auto file =
-      this->begin("constant/polyMesh/faces", how_.isBinary ? "faceCompactList" : "faceList");
+      this->begin(folder + "/polyMesh/faces", how_.isBinary ? "faceCompactList" : "faceList");
     std::vector<std::int32_t> begins, corners;
     for (const Quad& quad : faces)
     {
@@ -114,15 +120,16 @@ private:
     file << ")\n";
   }
 
-  void writeMesh() const
+  /// The mesh as it is from a time on, so far along x.
+  void writeMesh(const std::string& folder, double shift) const
   {
     this->begin("system/controlDict", "dictionary")
       << "startFrom startTime;\nstartTime 0;\nendTime 0.5;\ndeltaT 0.5;\nwriteControl timeStep;\n"
          "writeInterval 1;\n";
     std::vector<double> points;
-    for (const Place& place : places(how_.processor == 1 ? nx : 0.0))
+    for (const Place& place : places((how_.processor == 1 ? nx : 0.0) + shift))
       points.insert(points.end(), place.begin(), place.end());
-    auto file = this->begin("constant/polyMesh/points", "vectorField");
+    auto file = this->begin(folder + "/polyMesh/points", "vectorField");
     this->writeList(file, points, 3);
     std::vector<Quad> faces;
     std::vector<std::int32_t> owners, neighbours;
@@ -138,7 +145,7 @@ private:
             neighbours.push_back(cellAt(i + (axis == 0), j + (axis == 1), k + (axis == 2)));
           }
       });
-    auto boundary = this->begin("constant/polyMesh/boundary", "polyBoundaryMesh");
+    auto boundary = this->begin(folder + "/polyMesh/boundary", "polyBoundaryMesh");
     boundary << this->patches().size() << "\n(\n";
     for (const Patch& patch : this->patches())
     {
@@ -152,10 +159,10 @@ private:
       }
     }
     boundary << ")\n";
-    this->writeFaces(faces);
-    file = this->begin("constant/polyMesh/owner", "labelList");
+    this->writeFaces(folder, faces);
+    file = this->begin(folder + "/polyMesh/owner", "labelList");
     this->writeList(file, owners);
-    file = this->begin("constant/polyMesh/neighbour", "labelList");
+    file = this->begin(folder + "/polyMesh/neighbour", "labelList");
     this->writeList(file, neighbours);
   }
 
@@ -212,6 +219,16 @@ private:
     for (const Patch& patch : this->patches())
       file << "    " << patch.name << "\n    {\n        type            zeroGradient;\n    }\n";
     file << "}\n";
+  }
+
+  /// In text, whatever the fields are in.
+  void writeCloud() const
+  {
+    const std::string cloud = "0.5/lagrangian/spray/";
+    this->begin(cloud + "positions", "Cloud<basicKinematicCloud>")
+      << "3\n(\n(0.5 0.5 0.5) 0\n(1.5 0.5 0.5) 1\n(2.5 1.5 1.5) 11\n)\n";
+    this->begin(cloud + "d", "scalarField") << "3\n(\n0.1\n0.2\n0.3\n)\n";
+    this->begin(cloud + "rho", "scalarField") << "3{1000}\n";
   }
 
   std::string folder_;

@@ -29,6 +29,8 @@ struct Foam
   bool isBinary = false;
   int processor =
     -1; ///< 0 or 1: of a case that is decomposed, the half with the inlet, or the other
+  bool isMoving = false; ///< at the time 0.5 the mesh is written anew, 1 further along x
+  bool hasCloud = false; ///< at the time 0.5 there are the particles spray, with d and rho
 };
 
 /// Writes a case into a folder: a mesh with the patches inlet, outlet and walls, and at the times

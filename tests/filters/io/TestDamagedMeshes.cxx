@@ -121,6 +121,11 @@ TEST_F(TestDamagedMeshes, DecomposedOpenFOAM)
   damage(samples::writeDecomposedFoam(path("decomposed"), true), 12);
 }
 
+TEST_F(TestDamagedMeshes, MovingOpenFOAM)
+{
+  damage(samples::writeFoam(path("moving"), {false, -1, true, true}), 12);
+}
+
 TEST_F(TestDamagedMeshes, PackedOpenFOAM)
 {
   const std::string file = samples::writeFoam(path("packed"));
@@ -239,7 +244,7 @@ TEST_F(TestDamagedMeshes, Collections)
 
 TEST_F(TestDamagedMeshes, WhatCrashedAReader)
 {
-  samples::writeFoam(path("foam"));
+  samples::writeFoam(path("foam"), {false, -1, true, true});
   for (const bool isPacked : {false, true})
   {
     const auto change = [&](const std::string& name, const std::string& from, const std::string& to)
@@ -263,8 +268,17 @@ TEST_F(TestDamagedMeshes, WhatCrashedAReader)
     change("constant/polyMesh/boundary", "(", "nothing");
     std::filesystem::rename(path("owner"), path("foam/constant/polyMesh/owner"));
     change("constant/polyMesh/boundary", "inlet\n    {", "inlet\n    ");
-    change("constant/polyMesh/owner", "\n0", "\n-5");
-    change("constant/polyMesh/faces", "4(1", "4(100");
+    // Memory would be taken for what one value is said to stand for.
+    const std::string list = "nonuniform List<scalar>\n24\n(\n3";
+    change("0.5/p", list, "nonuniform List<scalar>\n2000000000{3}\n;(\n3");
+    change("0.5/lagrangian/spray/rho", "3{", "2000000000{");
+    change("0.5/lagrangian/spray/d", "3\n(", "2000000000\n(");
+    for (const std::string folder : {"constant", "0.5"})
+    {
+      change(folder + "/polyMesh/owner", "\n0", "\n-5");
+      change(folder + "/polyMesh/owner", "\n0", "\n99999999");
+      change(folder + "/polyMesh/faces", "4(1", "4(100");
+    }
   }
   const std::string file = samples::writeEnSight(path("ensight"), true);
   for (const std::size_t bytes : {0u, 300u, 900u})

@@ -147,6 +147,41 @@ TEST_F(TestMeshReaders, PackedOpenFOAM)
   }
 }
 
+TEST_F(TestMeshReaders, MovingOpenFOAM)
+{
+  open(samples::writeFoam(path("moving"), {false, -1, true}));
+  for (const double time : {0.0, 0.5, 0.0})
+  {
+    double bounds[6];
+    readAt(time).at("internalMesh")->GetBounds(bounds);
+    EXPECT_EQ(bounds[0], 2.0 * time);
+  }
+  // Points alone may be new, too.
+  for (const char* name : {"faces", "owner", "neighbour", "boundary"})
+    std::filesystem::remove(path(std::string("moving/0.5/polyMesh/") + name));
+  open(path("moving/case.foam"));
+  EXPECT_EQ(readAt(0.5).at("internalMesh")->GetPoint(0)[0], 1.0);
+}
+
+TEST_F(TestMeshReaders, OpenFOAMWithParticles)
+{
+  const std::string foam = samples::writeFoam(path("cloud"), {false, -1, false, true});
+  // A list of one value is shorter in the file than the places it stands for.
+  std::string pressure = textOf("cloud/0.5/p");
+  const std::size_t begin = pressure.find("24\n(");
+  ASSERT_NE(begin, pressure.npos);
+  pressure.replace(begin, pressure.find(')', begin) + 1 - begin, "24{3}");
+  write("cloud/0.5/p", pressure);
+  open(foam);
+  const Blocks blocks = readAt(0.5);
+  EXPECT_EQ(value(blocks.at("walls")->GetCellData()->GetArray("p"), 23), 3.0);
+  ASSERT_TRUE(blocks.contains("spray"));
+  vtkPointData* arrays = blocks.at("spray")->GetPointData();
+  EXPECT_EQ(blocks.at("spray")->GetPoint(2)[0], 2.5);
+  EXPECT_NEAR(value(arrays->GetArray("d"), 1), 0.2, 1e-7);
+  EXPECT_EQ(value(arrays->GetArray("rho"), 2), 1000.0);
+}
+
 TEST_F(TestMeshReaders, DecomposedOpenFOAM)
 {
   for (const bool isBinary : {false, true})
