@@ -141,6 +141,7 @@ TEST_F(TestFormatRefusals, EntriesOfOpenFOAMThatLieInOneAnotherTooDeeply)
   };
   refused("0/p", "boundaryField\n{", nested("{ x ", "}"));
   refused("0/p", "boundaryField\n{", nested("{ x ", "}"), true);
+  refused("0/p", "boundaryField\n{", nested("{ x\x80 ", "}"), true);
   refused("0/p", "boundaryField\n{", nested("(", ")"));
   refused("0/p", "boundaryField\n{", nested("{ // }\n", "}"));
   refused("0/p", "boundaryField\n{", nested("{ /* } */ x ", "}"));

@@ -125,6 +125,17 @@ TEST_F(TestMeshReaders, OpenFOAM)
   }
 }
 
+TEST_F(TestMeshReaders, OpenFOAMWhoseBytesLookLikeBraces)
+{
+  const std::string foam = samples::writeFoam(path("braces"), {true});
+  std::string pressure = textOf("braces/0.5/p");
+  const std::size_t begin = pressure.find("24\n(") + 4;
+  pressure.replace(begin, 23 * sizeof(double), std::string(23 * sizeof(double), '{'));
+  write("braces/0.5/p", pressure);
+  open(foam);
+  EXPECT_EQ(value(readAt(0.5).at("walls")->GetCellData()->GetArray("p"), 23), 3.0);
+}
+
 TEST_F(TestMeshReaders, PackedOpenFOAM)
 {
   for (const bool isBinary : {false, true})
