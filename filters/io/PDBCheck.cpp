@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 namespace mote
@@ -121,6 +122,38 @@ std::optional<double> timeIn(std::string_view title)
   return end && endsToken(*end) ? std::optional(value) : std::nullopt;
 }
 
+/// The box of a record CRYST1, of three lengths and the angles between b and c, a and c, a and b.
+/// None for 1 by 1 by 1, which stands for no box, and for what is no box.
+std::optional<std::array<double, 9>> boxIn(std::string_view line)
+{
+  constexpr std::array<std::size_t, 7> begins = {6, 15, 24, 33, 40, 47, 54};
+  constexpr std::size_t groupWidth = 11;
+  if (const std::string group = field(line, begins[6], groupWidth);
+      !group.empty() && group != "P 1")
+    return {};
+  std::array<double, 6> values{};
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const std::string text = field(line, begins[i], begins[i + 1] - begins[i]);
+    const char* const end = parseDouble(text.c_str(), values[i]);
+    if (!end || *end != '\0' || !(values[i] > 0.0 && values[i] < 1e9))
+      return {};
+  }
+  const auto [a, b, c, alpha, beta, gamma] = values;
+  if (a == 1.0 && b == 1.0 && c == 1.0)
+    return {};
+  // A right angle has a cosine of 0, and not nearly so.
+  const auto cosine = [](double degrees)
+  { return degrees == 90.0 ? 0.0 : std::cos(degrees * std::numbers::pi / 180.0); };
+  const double cosGamma = cosine(gamma), sinGamma = std::sqrt(1.0 - cosGamma * cosGamma);
+  const double x = cosine(beta), y = (cosine(alpha) - x * cosGamma) / sinGamma;
+  const double height = 1.0 - x * x - y * y;
+  if (!(sinGamma > 1e-6 && height > 1e-6)) // or flat
+    return {};
+  return std::array<double, 9>{
+    a, 0.0, 0.0, b * cosGamma, b * sinGamma, 0.0, c * x, c * y, c * std::sqrt(height)};
+}
+
 /// Tells models apart, record by record.
 class Models
 {
@@ -132,6 +165,8 @@ public:
       hasAtoms_ = true;
     else if (record == "TITLE")
       present_.time = timeIn(line);
+    else if (record == "CRYST1")
+      present_.box = boxIn(line);
     else if (record == "MODEL" && found_.models.empty() && !isBegun_)
     {
       found_.head = present_.begin = begin;
@@ -157,7 +192,7 @@ private:
     {
       present_.end = last_;
       found_.models.push_back(present_);
-      present_ = {last_, 0, {}};
+      present_ = {last_, 0, {}, present_.box}; // said once, it holds for all
     }
     hasAtoms_ = false;
   }

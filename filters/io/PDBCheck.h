@@ -1,6 +1,7 @@
 #ifndef MotePDBCheck_h
 #define MotePDBCheck_h
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,6 +16,10 @@ struct PDBModel
 {
   std::size_t begin = 0, end = 0; ///< bytes
   std::optional<double> time;     ///< as GROMACS writes it into the title, "t= 10.0"
+  /// The vectors a, b and c of the simulation's box, in angstroms, as CRYST1 of the space group P 1
+  /// tells it: cells of crystals are of other groups, and their atoms are a part of what is in
+  /// them.
+  std::optional<std::array<double, 9>> box = {};
 };
 
 /// The models of a Protein Data Bank file.

@@ -2,7 +2,9 @@
 
 #include "FileError.h"
 #include "PDBCheck.h"
+#include "StepSource.h"
 #include "TextFile.h"
+#include "WholeFile.h"
 
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,12 +43,12 @@ protected:
 
 private:
   /// Looks through the file where it is another one now. Throws FileError.
-  void Look(const mote::TextFile& file);
+  const mote::WholeFile& Look();
   std::size_t ModelOf(vtkInformation* information) const;
 
   mote::PDBModels Models;
-  std::vector<double> Times; ///< of several models
-  std::string LookedInto;
+  std::vector<double> Times;           ///< of several models
+  std::optional<mote::WholeFile> File; ///< that has been looked through
   mote::FileStamp Stamp;
 };
 
@@ -66,23 +69,28 @@ std::vector<double> timesOf(const std::vector<mote::PDBModel>& models)
   return times;
 }
 
-void CheckedPDBReader::Look(const mote::TextFile& file)
+const mote::WholeFile& CheckedPDBReader::Look()
 {
-  const mote::FileStamp stamp = mote::stampOf(file.path());
-  if (LookedInto == file.path() && Stamp == stamp)
-    return;
-  LookedInto.clear();
-  if (file.isGzip())
+  const std::string path = this->FileName ? this->FileName : "";
+  const mote::FileStamp stamp = mote::stampOf(path);
+  if (File && File->path() == path && Stamp == stamp)
+    return *File;
+  File.reset();
+  File.emplace(path);
+  try
   {
-    throw mote::FileError(mote::FileError::Kind::OtherFormat, file.path(),
-      "PDB is not read from gzip files; unpack it first (gunzip)");
+    Models = mote::checkPDB(File->bytes(), path);
   }
-  Models = mote::checkPDB(file.text(), file.path());
+  catch (...)
+  {
+    File.reset();
+    throw;
+  }
   Times.clear();
   if (Models.models.size() > 1)
     Times = timesOf(Models.models);
-  LookedInto = file.path();
   Stamp = stamp;
+  return *File;
 }
 
 int CheckedPDBReader::RequestInformation(
@@ -93,7 +101,7 @@ int CheckedPDBReader::RequestInformation(
   information->Remove(Pipeline::TIME_RANGE());
   try
   {
-    this->Look(mote::TextFile(this->FileName ? this->FileName : ""));
+    this->Look();
   }
   catch (const mote::FileError&)
   {
@@ -140,11 +148,10 @@ int CheckedPDBReader::RequestData(
   vtkInformation* information = outputVector->GetInformationObject(0);
   try
   {
-    const mote::TextFile file(this->FileName ? this->FileName : "");
-    this->Look(file);
+    const mote::WholeFile& file = this->Look();
     const std::size_t model = this->ModelOf(information);
     std::string text =
-      model < Models.models.size() ? Models.textOf(file.text(), model) : std::string("END\n");
+      model < Models.models.size() ? Models.textOf(file.bytes(), model) : std::string("END\n");
     mote::requireFewBonds(text, file.path());
     FILE* const stream = fmemopen(text.data(), text.size(), "r");
     if (!stream)
@@ -152,6 +159,8 @@ int CheckedPDBReader::RequestData(
         mote::FileError::Kind::CannotOpen, file.path(), "there is not enough memory for it");
     this->ReadMolecule(stream, output);
     std::fclose(stream);
+    if (model < Models.models.size() && Models.models[model].box)
+      mote::addBox(*Models.models[model].box, {0, 0, 0}, "pp pp pp", output);
     if (model < Times.size())
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), Times[model]);
   }

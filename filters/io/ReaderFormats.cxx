@@ -212,7 +212,7 @@ const std::vector<ReaderFormat>& readerFormats()
       makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeBgeo},
     {{".uda"}, "particles of a Uintah data archive, its folder or its index.xml", makeUintah, false,
       looksLikeUintah},
-    {{".pdb"}, "Protein Data Bank atoms, models as time steps", makePDB},
+    {{".pdb", ".pdb.gz", ".ent", ".ent.gz"}, "Protein Data Bank atoms, models as time steps", makePDB},
     {{".vtp"}, "VTK XML polygonal data", makeXML<WithPointData<vtkXMLPolyDataReader>>, true},
     {{".vtu"}, "VTK XML unstructured grid", makeXML<WithPointData<vtkXMLUnstructuredGridReader>>,
       true},

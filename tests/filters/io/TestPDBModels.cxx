@@ -2,9 +2,12 @@
 #include "TableTest.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -126,6 +129,59 @@ TEST_F(TestPDBModels, AFileThatChangesIsLookedThroughAgain)
   EXPECT_EQ(placesAt(2), (Numbers{3}));
 }
 
+TEST_F(TestPDBModels, Packed)
+{
+  const auto model = [](double x) { return "MODEL        1\n" + atom(x) + "ENDMDL\n"; };
+  for (const char* name : {"a.pdb.gz", "a.ent.gz", "b.pdb"})
+  {
+    EXPECT_EQ(timesOf(writeGzip(name, model(1) + model(2))), (Numbers{0, 1})) << name;
+    EXPECT_EQ(placesAt(1), (Numbers{2})) << name;
+  }
+}
+
+TEST_F(TestPDBModels, WithTheirBoxes)
+{
+  const auto boxAt = [&](double time)
+  {
+    std::string error;
+    const auto data = vtkMoteReaderTable::Read(m_reader, time, error);
+    vtkDataArray* box = data->GetFieldData()->GetArray("box");
+    Numbers values;
+    for (vtkIdType i = 0; box && i < box->GetNumberOfValues(); ++i)
+      values.push_back(box->GetVariantValue(i).ToDouble());
+    return values;
+  };
+  const auto cell =
+    [](const std::string& lengths, const std::string& angles, const std::string& group)
+  { return "CRYST1" + lengths + angles + " " + group + "\n"; };
+  const std::string lengths = "   10.000   20.000   30.500", right = "  90.00  90.00  90.00";
+  const auto frame = [&](const std::string& box)
+  { return box + "MODEL        1\n" + atom(1) + "ENDMDL\n"; };
+  timesOf(write("a.pdb", frame(cell(lengths, right, "P 1           1")) + frame("") +
+                           frame(cell(lengths, right, "P 21 21 21    8")) +
+                           frame(cell("    1.000    1.000    1.000", right, "P 1           1")) +
+                           frame(cell(lengths, "  90.00  90.00  60.00", "")) +
+                           frame(cell(lengths, "  60.00  60.00  60.00", "P 1")) +
+                           frame(cell(lengths, "  10.00  10.00 170.00", "P 1")) +
+                           frame("CRYST1   10.000\n")));
+  const Numbers box = {10, 0, 0, 0, 20, 0, 0, 0, 30.5};
+  EXPECT_EQ(boxAt(0), box);
+  EXPECT_EQ(boxAt(1), box); // said once, it holds for all
+  for (const double none : {2, 3, 6, 7})
+    EXPECT_EQ(boxAt(none), Numbers{}) << none;
+  Numbers skewed = boxAt(4);
+  ASSERT_EQ(skewed.size(), 9u);
+  EXPECT_NEAR(skewed[3], 10.0, 1e-12);
+  EXPECT_NEAR(skewed[4], 10.0 * std::sqrt(3.0), 1e-12);
+  EXPECT_EQ(skewed[8], 30.5);
+  skewed = boxAt(5);
+  ASSERT_EQ(skewed.size(), 9u);
+  const double* c = &skewed[6];
+  EXPECT_NEAR(c[0] * c[0] + c[1] * c[1] + c[2] * c[2], 30.5 * 30.5, 1e-9);
+  EXPECT_NEAR(c[0] * skewed[0], 30.5 * 10.0 / 2.0, 1e-9);
+  EXPECT_NEAR(c[0] * skewed[3] + c[1] * skewed[4], 30.5 * 20.0 / 2.0, 1e-9);
+}
+
 TEST_F(TestPDBModels, AnyThatIsDamaged)
 {
   const std::string cut = atom(2).substr(0, 40) + "\n";
@@ -136,6 +192,9 @@ TEST_F(TestPDBModels, AnyThatIsDamaged)
   std::string same;
   for (int i = 0; i < 20000; ++i)
     same += atom(1);
+  const std::string packed = writeGzip("d.pdb.gz", same);
+  truncate("d.pdb.gz", 60);
+  expectError(packed, "gzip data end too early");
   expectError(write("c.pdb", same), "more than 50 million bonds");
 }
 

@@ -206,7 +206,6 @@ TEST_F(TestReaderTable, DamagedPDB)
   expectError(
     write("e.pdb", atom + "MASTER        0    0    0    0    0    0    0    0    2    0\nEND\n"),
     ", line 2: the MASTER record counts 2 atoms, but the file has 1");
-  expectError(writeGzip("f.pdb", atom), "PDB is not read from gzip files");
 }
 
 TEST_F(TestReaderTable, OpenFOAMCase)
