@@ -193,6 +193,41 @@ TEST(PkdTreeLod, SetsAreAsDenseAsTheyLook)
   }
 }
 
+TEST(PkdTreeLod, BoxesAreLitTheSameInBundlesAndAlone)
+{
+  const ParticleSurface surface(treeOver(denseParticles(40, 1), true), 3.0);
+  int lods = 0;
+  for (RayBundle rays : farBundles(30, 6))
+  {
+    surface.cast(rays, 0);
+    HitBlock block;
+    for (int i = 0; i < rays.count; ++i)
+      if (rays.object[i] == 0)
+      {
+        const int k = block.count++;
+        block.ray[k] = static_cast<std::uint16_t>(i);
+        block.slot[k] = rays.slot[i];
+        block.t[k] = rays.t[i];
+        block.rayX[k] = rays.x[i];
+        block.rayY[k] = rays.y[i];
+      }
+    surface.fetch(block);
+    surface.place(block, {rays, rays, Vec3d(0.0), nullptr, true});
+    for (int k = 0; k < block.count; ++k)
+    {
+      const Vec3d way = rays.directionOf(block.ray[k]);
+      const Vec3d point = rays.originOf(block.ray[k]) + block.t[k] * way;
+      const bool isLod = PkdTree::isLod(block.slot[k]);
+      const Vec3d alone = isLod ? surface.seenNormalAt(block.slot[k], point, way)
+                                : surface.normalAt(block.slot[k], point);
+      const Vec3d normal(block.normal.x[k], block.normal.y[k], block.normal.z[k]);
+      ASSERT_LT(glm::length(normal - glm::normalize(alone)), 1e-4) << isLod;
+      lods += isLod;
+    }
+  }
+  EXPECT_GT(lods, 1000);
+}
+
 TEST(PkdTreeLod, HiddenParticlesStayHidden)
 {
   const Particles particles = denseParticles(40, 15);
