@@ -217,7 +217,9 @@ seeds = {
     ],
     "pdb": [
         "\n".join(pdb_atom.format(n=n, x=0.5 * n) for n in (1, 2, 3)) + "\nEND\n",
-        "HEADER    A TEST\nHETATM    1  O   HOH A   1       1.000   2.000   3.000\nTER\nEND\n"
+        "HEADER    A TEST\nHETATM    1  O   HOH A   1       1.000   2.000   3.000\nTER\nEND\n",
+        "CRYST1   10.000   20.000   30.500  90.00  90.00  60.00 P 1           1\n" + "".join(
+            f"MODEL     {n:4d}\n" + pdb_atom.format(n=n, x=0.5) + "\nENDMDL\n" for n in (1, 2))
     ],
     "ply": [
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

@@ -61,6 +61,11 @@ bool isThere(const std::string& path)
   return std::filesystem::is_regular_file(path, error);
 }
 
+bool isFoamFile(const std::string& path)
+{
+  return isThere(path) && readBeginning(path, 2048).find("FoamFile") != std::string::npos;
+}
+
 } // namespace
 
 std::optional<std::string> findFoamFile(const std::string& folder, const std::string& name)
@@ -107,35 +112,33 @@ std::int64_t checkFoamMesh(const FoamMesh& mesh)
 
 void checkFoamDepth(const std::string& path)
 {
-  if (isThere(path) && readBeginning(path, 2048).find("FoamFile") != std::string::npos)
+  if (isFoamFile(path))
     FoamListFile(path).requireShallow();
 }
 
-void checkFoamField(const std::string& path, std::int64_t places)
+void checkFoamFile(const std::string& path, std::int64_t places)
 {
-  const std::string beginning = isThere(path) ? readBeginning(path, 2048) : "";
-  if (beginning.find("FoamFile") == beginning.npos || beginning.find("Field") == beginning.npos)
+  if (!isFoamFile(path))
     return;
-  FoamListFile field(path);
-  field.valueLists([&] { return places; });
-  field.boundaryField();
-}
-
-void checkFoamCloud(const std::string& path)
-{
-  const std::filesystem::path cloud = std::filesystem::path(path).parent_path();
-  if (cloud.parent_path().filename() != "lagrangian" || !isThere(path) ||
-      readBeginning(path, 2048).find("FoamFile") == std::string::npos)
-    return;
+  FoamListFile file(path);
+  file.requireShallow();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  // A cloud has a value for each of its positions.
   const auto particles = [&]
   {
     std::int64_t count = 0;
     for (const char* name : {"positions", "coordinates"})
-      if (const auto file = findFoamFile(cloud.string(), name))
-        count = std::max(count, FoamListFile(*file).length());
+      if (const auto of = findFoamFile(folder.string(), name))
+        count = std::max(count, FoamListFile(*of).length());
     return count;
   };
-  FoamListFile(path).valueList(particles);
+  if (folder.parent_path().filename() == "lagrangian")
+    file.valueList(particles);
+  else if (file.kind().find("Field") != std::string::npos)
+  {
+    file.valueLists([&] { return places; });
+    file.boundaryField();
+  }
 }
 
 } // namespace mote

@@ -26,18 +26,15 @@ std::optional<std::string> findFoamFile(const std::string& folder, const std::st
 /// faces if they are more: no field has more values in a place.
 std::int64_t checkFoamMesh(const FoamMesh& mesh);
 
-/// Throws FileError where a file of OpenFOAM is a field for which VTK 9.1's reader would take
-/// memory without bound, or whose part on the boundary is damaged in a way that it would crash by.
-/// No list of a single value has more than `places`.
-void checkFoamField(const std::string& path, std::int64_t places);
-
-/// The same of the values of a cloud's particles (a file in lagrangian/CLOUD), of which there are
-/// as many as positions. Other files pass.
-void checkFoamCloud(const std::string& path);
-
 /// Throws FileError where entries of a file of OpenFOAM lie in one another more than a hundred
-/// deep.
+/// deep. What is no file of OpenFOAM passes.
 void checkFoamDepth(const std::string& path);
+
+/// The same for a file of a time's folder, and where VTK 9.1's reader would take memory for lists
+/// that the file has no room for, or would crash by what a field has on the boundary. A list of a
+/// single value has at most `places` of a field, and as many as positions of a cloud (a file in
+/// lagrangian/CLOUD).
+void checkFoamFile(const std::string& path, std::int64_t places);
 
 } // namespace mote
 

@@ -83,13 +83,9 @@ protected:
       const double time = information->Has(key) ? information->Get(key) : 0.0;
       const std::int64_t places = this->CheckMeshes(time);
       for (const std::string& file : mote::foamFilesOf(this->Case, time))
-      {
-        mote::checkFoamDepth(file);
-        mote::checkFoamCloud(file);
-      }
+        mote::checkFoamFile(file, places);
       for (const std::string& field : mote::foamFieldsOf(this->Case, time))
       {
-        mote::checkFoamField(field, places);
         std::filesystem::path name = std::filesystem::path(field).filename();
         if (name.extension() == ".gz") // packed: not of the field's name
           name = name.stem();
