@@ -165,6 +165,7 @@ TEST_F(TestTables, VectorsOfParaView)
   vtkDataArray* u = numbers(data, "U");
   ASSERT_TRUE(u);
   EXPECT_EQ(u->GetNumberOfComponents(), 3);
+  EXPECT_FALSE(u->HasAComponentName()) << "they are x, y and z, and not U:0, U:1 and U:2";
   EXPECT_EQ(u->GetComponent(1, 1), 0.5);
   EXPECT_EQ(u->GetComponent(1, 2), 6);
   EXPECT_EQ(numbers(data, "s:0")->GetTuple1(0), 7) << "one component makes no vector";
