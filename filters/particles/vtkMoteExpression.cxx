@@ -236,9 +236,19 @@ vtkSmartPointer<vtkDataArray> evaluated(
   }
 }
 
+/// At most so many bytes of UTF-8: an expression, or the names of all arrays, may be of any length.
+std::string shortened(const std::string& text, std::size_t most)
+{
+  if (text.size() <= most)
+    return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80)
+    --most; // within a letter
+  return text.substr(0, most) + "...";
+}
+
 std::string about(const std::string& expression, const mote::Error& error)
 {
-  return "'" + expression + "': " + error.what();
+  return "'" + shortened(expression, 200) + "': " + shortened(error.what(), 2000);
 }
 
 } // namespace

@@ -268,6 +268,18 @@ TEST(Expression, WrongOnesAreToldWithWhatIsThere)
   for (const char* wrong : {"", "  ", "type +", "(type", "type 2", "type, x", "f(type)", "#", "=="})
     EXPECT_NE(vtkMoteExpression::Check(wrong), "") << wrong;
   EXPECT_EQ(vtkMoteExpression::AddTo(nullptr, "1", "one"), "there is no data set");
+  // Texts of files and sessions may be long, and their letters of several bytes.
+  for (const std::string letter : {"q", "\u00e9"})
+    for (int lead = 0; lead < 2; ++lead)
+    {
+      std::string text(static_cast<std::size_t>(lead), '1');
+      while (text.size() < 100'000)
+        text += letter;
+      const std::string problem = problemOf("'" + text + "' > 2");
+      EXPECT_LT(problem.size(), 2300u);
+      EXPECT_TRUE(has(problem, text.substr(0, 100)));
+      EXPECT_TRUE(has(problem, letter + "...': there is no array '")) << problem.substr(150, 100);
+    }
 }
 
 TEST(Expression, AnArrayMayBeCalledMag)
