@@ -72,6 +72,32 @@ std::int64_t FoamListFile::places()
   return count;
 }
 
+bool FoamListFile::arePlaces(std::int64_t count)
+{
+  const auto takes = [&](char wanted)
+  {
+    while (at_ < text_.size() && isBlank(text_[at_]))
+      ++at_;
+    return at_ < text_.size() && text_[at_++] == wanted;
+  };
+  const auto takesNumber = [&]
+  {
+    while (at_ < text_.size() && isBlank(text_[at_]))
+      ++at_;
+    double value = 0.0;
+    const char* const end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + at_, end, value);
+    at_ = static_cast<std::size_t>(stop - text_.data());
+    return error == std::errc() && at_ < text_.size() && (isBlank(text_[at_]) || text_[at_] == ')');
+  };
+  if (isBinary_)
+    at_ += static_cast<std::size_t>(count * 3 * scalarBytes_); // for which there is room
+  for (std::int64_t i = 0; i < count && !isBinary_; ++i)
+    if (!takes('(') || !takesNumber() || !takesNumber() || !takesNumber() || !takes(')'))
+      return false;
+  return hasWholeHead_ && takes(')');
+}
+
 void FoamListFile::patches()
 {
   const std::int64_t count = this->beginList();
@@ -225,6 +251,8 @@ void FoamListFile::readHead()
   const std::string_view head = text_.substr(begin, end - begin);
   isBinary_ = entry(head, "format") == "binary";
   kind_ = entry(head, "class");
+  hasWholeHead_ = kind_ == "vectorField" && !entry(head, "object").empty() &&
+                  !entry(head, "version").empty() && head.find("format") != head.npos;
   const std::string sizes = entry(head, "arch");
   const auto bytesOf = [&](const std::string& name, std::int64_t usual)
   {

@@ -38,6 +38,8 @@ public:
 
   /// The next list of places, of which only the number is told.
   std::int64_t places();
+  /// Whether so many places follow, with nothing else among them, and the head is whole.
+  bool arePlaces(std::int64_t count);
 
   /// The faces of a list in text, "4(0 1 2 3)": calls visit(label); returns how many.
   template <class Visit>
@@ -126,6 +128,7 @@ private:
   std::size_t at_ = 0;
   bool isBinary_ = false;
   std::string kind_;
+  bool hasWholeHead_ = false;
   std::int64_t labelBytes_ = 4, scalarBytes_ = 8;
 };
 

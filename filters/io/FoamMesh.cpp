@@ -76,7 +76,7 @@ std::optional<std::string> findFoamFile(const std::string& folder, const std::st
   return std::nullopt;
 }
 
-std::int64_t checkFoamMesh(const FoamMesh& mesh)
+FoamMeshFacts checkFoamMesh(const FoamMesh& mesh)
 {
   if (const auto path = findFoamFile(mesh.faces, "boundary")) // looked at before others are missed
   {
@@ -96,18 +96,21 @@ std::int64_t checkFoamMesh(const FoamMesh& mesh)
     return file;
   };
   std::int64_t points = -1, faces = -1; // not known
+  FoamMeshFacts facts;
   if (const auto file = open(mesh.points, "points"))
+  {
     points = file->places();
-  std::int64_t most = points;
+    facts = {points, file->arePlaces(points)};
+  }
   if (const auto file = open(mesh.faces, "faces"); file && points >= 0)
   {
     faces = checkFaces(*file, points);
-    most = std::max(most, faces < 0 ? file->length() : faces);
+    facts.places = std::max(points, faces < 0 ? file->length() : faces);
   }
   for (const char* name : {"owner", "neighbour"})
     if (const auto file = open(mesh.faces, name); file && faces >= 0)
       checkCells(*file, name[0] == 'o', faces);
-  return most;
+  return facts;
 }
 
 void checkFoamDepth(const std::string& path)

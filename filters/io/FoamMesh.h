@@ -17,14 +17,20 @@ struct FoamMesh
   auto operator<=>(const FoamMesh&) const = default;
 };
 
+struct FoamMeshFacts
+{
+  /// How many points there are, or faces if they are more: no field has more values in a place.
+  std::int64_t places = 0;
+  bool hasPlainPoints = true; ///< whose file holds what it says, which any reader can read
+};
+
 /// A file of a mesh as the reader finds it: under its own name, or else packed, with .gz behind it.
 std::optional<std::string> findFoamFile(const std::string& folder, const std::string& name);
 
 /// Throws FileError where the faces, owners and neighbours of a mesh do not fit together, so that
 /// VTK 9.1's reader would crash or take very long, and where a file that is packed, with .gz, is
-/// damaged. What that reader finds itself is left to it. Returns how many points there are, or
-/// faces if they are more: no field has more values in a place.
-std::int64_t checkFoamMesh(const FoamMesh& mesh);
+/// damaged. What that reader finds itself is left to it.
+FoamMeshFacts checkFoamMesh(const FoamMesh& mesh);
 
 /// Throws FileError where entries of a file of OpenFOAM lie in one another more than a hundred
 /// deep. What is no file of OpenFOAM passes.

@@ -57,18 +57,19 @@ public:
   mote::FoamCase Case;
 
   /// Throws FileError where a mesh of this time, or else of the first, is damaged. Looks at none
-  /// twice. Returns how many values a field has in a place at most.
-  std::int64_t CheckMeshes(std::optional<double> time)
+  /// twice.
+  mote::FoamMeshFacts CheckMeshes(std::optional<double> time)
   {
-    std::int64_t most = 0;
+    mote::FoamMeshFacts all;
     for (const mote::FoamMesh& mesh : mote::foamMeshesOf(this->Case, time))
     {
       auto known = this->Checked.find(mesh);
       if (known == this->Checked.end())
         known = this->Checked.emplace(mesh, mote::checkFoamMesh(mesh)).first;
-      most = std::max(most, known->second);
+      all.places = std::max(all.places, known->second.places);
+      all.hasPlainPoints = all.hasPlainPoints && known->second.hasPlainPoints;
     }
-    return most;
+    return all;
   }
 
 protected:
@@ -77,13 +78,15 @@ protected:
   {
     vtkInformation* information = outputs->GetInformationObject(0);
     std::map<std::string, std::string> units;
+    bool mayMove = false;
     auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     try
     {
       const double time = information->Has(key) ? information->Get(key) : 0.0;
-      const std::int64_t places = this->CheckMeshes(time);
+      const mote::FoamMeshFacts facts = this->CheckMeshes(time);
+      mayMove = facts.hasPlainPoints && this->HasMesh;
       for (const std::string& file : mote::foamFilesOf(this->Case, time))
-        mote::checkFoamFile(file, places);
+        mote::checkFoamFile(file, facts.places);
       for (const std::string& field : mote::foamFieldsOf(this->Case, time))
       {
         std::filesystem::path name = std::filesystem::path(field).filename();
@@ -98,14 +101,28 @@ protected:
       vtkErrorMacro(<< error.what());
       return 1; // a failed request would leave old data downstream
     }
-    const int done = this->Superclass::RequestData(request, inputs, outputs);
+    const int done = this->Read(request, inputs, outputs, mayMove);
     for (vtkDataSet* part : vtkCompositeDataSet::GetDataSets(vtkDataObject::GetData(information)))
       nameUnits(part, units);
     return done;
   }
 
 private:
-  std::map<mote::FoamMesh, std::int64_t> Checked;
+  /// VTK 9.1's reader keeps the mesh of the time before and moves its points. It does not look
+  /// whether there is one, nor whether new points could be read: else it makes the mesh anew.
+  int Read(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    bool mayMove)
+  {
+    const vtkTypeBool isCached = this->CacheMesh;
+    this->CacheMesh = isCached && mayMove;
+    const int done = this->Superclass::RequestData(request, inputs, outputs);
+    this->CacheMesh = isCached;
+    this->HasMesh = done != 0 && vtkMultiBlockDataSet::GetData(outputs)->GetNumberOfCells() > 0;
+    return done;
+  }
+
+  bool HasMesh = false;
+  std::map<mote::FoamMesh, mote::FoamMeshFacts> Checked;
 };
 
 vtkStandardNewMacro(vtkMoteFoamReader);

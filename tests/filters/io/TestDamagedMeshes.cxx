@@ -39,20 +39,30 @@ namespace
 class TestDamagedMeshes : public FileTest
 {
 protected:
-  /// Reads all steps; the sentence of what is wrong.
+  /// Reads all steps, and the first again; the first sentence of what is wrong.
   static std::string read(const std::string& file)
   {
+    std::string first;
+    const auto keep = [&](const std::string& error) { first = first.empty() ? error : first; };
     std::string error;
     const auto reader = vtkMoteReaderTable::MakeReader(file, error);
     if (!reader)
       return error;
-    const auto times = vtkMoteReaderTable::GetTimeSteps(reader, error);
-    for (std::size_t i = 0; error.empty() && i < std::max<std::size_t>(times.size(), 1); ++i)
-      if (times.empty())
-        vtkMoteReaderTable::Read(reader, error);
-      else
-        vtkMoteReaderTable::Read(reader, times[i], error);
-    return error;
+    std::vector<double> times = vtkMoteReaderTable::GetTimeSteps(reader, error);
+    if (!error.empty())
+      return error;
+    if (times.empty())
+      vtkMoteReaderTable::Read(reader, error);
+    else
+      times.push_back(times.front());
+    keep(error);
+    for (const double time : times)
+    {
+      error.clear();
+      vtkMoteReaderTable::Read(reader, time, error);
+      keep(error);
+    }
+    return first;
   }
 
   /// The bytes without an end, with others among them, or with another number.
@@ -273,6 +283,9 @@ TEST_F(TestDamagedMeshes, WhatCrashedAReader)
     change("0.5/p", list, "nonuniform List<scalar>\n2000000000{3}\n;(\n3");
     change("0.5/lagrangian/spray/rho", "3{", "2000000000{");
     change("0.5/lagrangian/spray/d", "3\n(", "2000000000\n(");
+    // The points of the time before would be moved to none.
+    change("0.5/polyMesh/points", "object", "objct");
+    change("0.5/polyMesh/points", "0 0)", "0 zero)");
     for (const std::string folder : {"constant", "0.5"})
     {
       change(folder + "/polyMesh/owner", "\n0", "\n-5");
