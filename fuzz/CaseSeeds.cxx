@@ -28,6 +28,11 @@ int main(int count, char** words)
       std::filesystem::create_directories(place);
       keep("moving-" + kind, samples::writeFoam(place, {isBinary, -1, true, true}));
       std::filesystem::create_directories(place);
+      const std::string points = samples::writeFoam(place, {isBinary, -1, true});
+      for (const char* name : {"faces", "owner", "neighbour", "boundary"})
+        std::filesystem::remove(place + "/0.5/polyMesh/" + name);
+      keep("points-" + kind, points);
+      std::filesystem::create_directories(place);
       keep("decomposed-" + kind, samples::writeDecomposedFoam(place, isBinary));
       continue;
     }
