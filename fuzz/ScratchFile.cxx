@@ -70,7 +70,12 @@ void readAsUsersDo(const std::string& path)
   const auto data = vtkMoteReaderTable::Read(reader, error);
   check(data != nullptr, error);
   takeCells(data);
-  error.clear();
-  if (steps.size() > 1)
-    check(vtkMoteReaderTable::Read(reader, steps.back(), error) != nullptr, error);
+  if (steps.size() < 2)
+    return;
+  for (const double step : {steps.back(), steps.front()})
+  {
+    error.clear();
+    const auto other = vtkMoteReaderTable::Read(reader, step, error);
+    check(other != nullptr, error);
+  }
 }
