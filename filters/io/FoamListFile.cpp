@@ -2,7 +2,6 @@
 
 #include "FileError.h"
 
-#include <cctype>
 #include <cstring>
 #include <map>
 
@@ -14,7 +13,7 @@ namespace
 
 bool isBlank(char c)
 {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
+  return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 bool isDigit(char c)
