@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace mote;
@@ -203,4 +204,56 @@ TEST(MeshSurface, TinyTrianglesHaveNormals)
     for (std::uint64_t slot = 0; slot < 2; ++slot)
       EXPECT_NEAR(std::abs(glm::normalize(surface.normalAt(slot, Vec3d(0.0))).z), 1.0, 1e-3);
   }
+}
+
+TEST(MeshSurface, EdgesAreAsFarAsTheyLook)
+{
+  // Anywhere, and long beside their size, so that what is said along an edge would show.
+  Triangles triangles = randomTriangles(200, 5, 0.4);
+  triangles.move([](const Vec3d& p) { return Vec3d(40.0, -30.0, 20.0) + 3.0 * p; });
+  const auto object = objectOf(triangles);
+  const auto& surface = std::get<MeshSurface>(object.surface);
+  Random random(6);
+  int met = 0;
+  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
+  {
+    const auto [a, b, c] = triangles.of(triangle);
+    const double u = random(0.1, 0.8), v = random(0.1, 0.9 - u);
+    const Vec3d point = a + u * (b - a) + v * (c - a);
+    const Vec3d normal = glm::normalize(glm::cross(b - a, c - a));
+    const Vec3d way = -normal;
+    RayPacket ray;
+    ray.count = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ray.origin[axis][0] = point[axis] + 0.001 * normal[axis];
+      ray.direction[axis][0] = way[axis];
+    }
+    ray.tMin[0] = 0.0;
+    ray.t[0] = 0.002;
+    ray.slot[0] = RayPacket::noHit;
+    ray.object[0] = -1;
+    surface.cast(ray, 0);
+    ASSERT_EQ(ray.object[0], 0);
+    std::uint64_t id = 0;
+    surface.inputIds(&ray.slot[0], 1, &id);
+    if (id != triangle) // another one lies over it
+      continue;
+    ++met;
+    EdgeSeen seen;
+    surface.edges(&ray.slot[0], &point, &way, 1, &seen);
+    // Where barycentric coordinates are distances over heights.
+    const std::array<double, 3> share = {v, 1.0 - u - v, u};
+    const std::array<double, 3> length = {
+      glm::length(b - a), glm::length(c - b), glm::length(a - c)};
+    const double twiceArea = glm::length(glm::cross(b - a, c - a));
+    int nearest = 0;
+    for (int side = 1; side < 3; ++side)
+      if (share[side] / length[side] < share[nearest] / length[nearest])
+        nearest = side;
+    const double height = twiceArea / length[nearest];
+    EXPECT_NEAR(seen.distance, share[nearest] * height, 1e-4 * height);
+    EXPECT_NEAR(seen.extent, height, 1e-3 * height);
+  }
+  EXPECT_GT(met, 190);
 }
