@@ -73,6 +73,13 @@ public:
   }
 
 protected:
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    return this->Guarded(
+      [&] { return this->Superclass::RequestInformation(request, inputs, outputs); });
+  }
+
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
@@ -108,6 +115,21 @@ protected:
   }
 
 private:
+  /// Some damage VTK 9.1's reader throws as a text, which it does not catch itself.
+  template <class Request>
+  int Guarded(const Request& request)
+  {
+    try
+    {
+      return request();
+    }
+    catch (const char* text)
+    {
+      vtkErrorMacro("the case is damaged (" << text << ")");
+    }
+    return 0;
+  }
+
   /// VTK 9.1's reader keeps the mesh of the time before and moves its points. It does not look
   /// whether there is one, nor whether new points could be read: else it makes the mesh anew.
   int Read(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
@@ -115,7 +137,8 @@ private:
   {
     const vtkTypeBool isCached = this->CacheMesh;
     this->CacheMesh = isCached && mayMove;
-    const int done = this->Superclass::RequestData(request, inputs, outputs);
+    const int done =
+      this->Guarded([&] { return this->Superclass::RequestData(request, inputs, outputs); });
     this->CacheMesh = isCached;
     this->HasMesh = done != 0 && vtkMultiBlockDataSet::GetData(outputs)->GetNumberOfCells() > 0;
     return done;
