@@ -80,6 +80,40 @@ image = vtk_xml.format(
     'format="appended" offset="0"/></PointData>',
     appended='<AppendedData encoding="base64">_' +
     base64.b64encode(struct.pack("<I8d", 64, *range(8))).decode() + "</AppendedData>\n")
+def zipped(name, values, type="Float32", components=1):
+    code = {"Float32": "f", "Int64": "q", "UInt8": "B"}[type]
+    raw = struct.pack(f"<{len(values)}{code}", *values)
+    data = zlib.compress(raw)
+    head = struct.pack("<4I", 1, 32768, len(raw), len(data))
+    return (f'<DataArray type="{type}" Name="{name}" NumberOfComponents="{components}" format="binary">' +
+            base64.b64encode(head).decode() + base64.b64encode(data).decode() + "</DataArray>")
+
+
+def with_zlib(text):
+    return text.replace("header_type", 'compressor="vtkZLibDataCompressor" header_type')
+
+
+sides = "6 4 0 3 2 1 4 4 5 6 7 4 0 1 5 4 4 1 2 6 5 4 2 3 7 6 4 3 0 4 7"
+polyhedron = with_zlib(vtk_xml.format(
+    type="UnstructuredGrid", extent="", piece='NumberOfPoints="8" NumberOfCells="1"', appended="",
+    body="<Points>" + zipped("Points", [float(n) for n in corners.split()], components=3) +
+    "</Points><Cells>" + zipped("connectivity", range(8), "Int64") + zipped("offsets", [8], "Int64") +
+    zipped("types", [42], "UInt8") + zipped("faces", [int(n) for n in sides.split()], "Int64") +
+    zipped("faceoffsets", [31], "Int64") + "</Cells>"))
+all_kinds = with_zlib(vtk_xml.format(
+    type="PolyData", extent="", piece='NumberOfPoints="8" NumberOfVerts="1" NumberOfLines="1" '
+    'NumberOfStrips="1" NumberOfPolys="1"', appended="",
+    body="<Points>" + zipped("Points", [float(n) for n in corners.split()], components=3) + "</Points>" +
+    "".join(f"<{kind}>" + zipped("connectivity", cell, "Int64") + zipped("offsets", [len(cell)], "Int64") +
+            f"</{kind}>" for kind, cell in (("Verts", [0]), ("Lines", [0, 1, 2]), ("Strips", [0, 1, 2, 3]),
+                                            ("Polys", [4, 5, 6, 7])))))
+image_steps = vtk_xml.format(
+    type="ImageData", extent=' TimeValues="0 1" WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"',
+    piece='Extent="0 1 0 1 0 1"', appended="",
+    body="".join(f"<{kind}>" + "".join(
+        array(name, values, "Int16").replace(" Name", f' TimeStep="{step}" Name')
+        for step in (0, 1)) + f"</{kind}>"
+        for kind, name, values in (("PointData", "p", numbered), ("CellData", "c", "1"))))
 legacy = "# vtk DataFile Version 3.0\na test\n{format}\nDATASET {rest}"
 facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
 gltf = {
@@ -249,11 +283,16 @@ seeds = {
                       corners + "\nPOINT_DATA 8\nVECTORS v float\n" + corners + "\n"),
         legacy.format(format="ASCII", rest="MULTIBLOCK\nCHILDREN 1\nCHILD 0 [a]\n" +
                       legacy.format(format="ASCII", rest="POLYDATA\nPOINTS 1 float\n0 0 0\n") +
-                      "ENDCHILD\n")
+                      "ENDCHILD\n"),
+        legacy.format(format="ASCII", rest="UNSTRUCTURED_GRID\nPOINTS 8 double\n" + corners +
+                      "\nCELLS 1 32\n31 " + sides + "\nCELL_TYPES 1\n42\n"),
+        legacy.format(format="ASCII", rest="UNSTRUCTURED_GRID\nPOINTS 8 double\n" + corners +
+                      "\nCELLS 3 39\nOFFSETS vtktypeint64\n0 31 39\nCONNECTIVITY vtktypeint64\n" + sides +
+                      " " + numbered + "\nCELL_TYPES 2\n42 12\n").replace("3.0", "5.1")
     ],
-    "vtp": [triangles],
-    "vtu": [hexahedron, quadratic],
-    "vti": [image],
+    "vtp": [triangles, all_kinds],
+    "vtu": [hexahedron, quadratic, polyhedron],
+    "vti": [image, image_steps],
     "stl": [
         "solid a\n" + facet + "endsolid a\n",
         b"a binary file".ljust(80) + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)

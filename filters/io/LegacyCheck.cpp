@@ -1,141 +1,66 @@
 #include "LegacyCheck.h"
 
 #include "FileError.h"
+#include "LegacyText.h"
 #include "MostArrays.h"
 #include "TextFile.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace mote
 {
 namespace
 {
 
-using Size = std::uint64_t;
-
-/// No count of a file is above this: its product with 100,000 components of 64 bits fits into Size.
-constexpr Size mostValues = Size{1} << 40;
-
 bool isBlank(char c)
 {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-std::string lowerCase(std::string_view word)
+/// Takes the numbers of a cell in turn, and tells whether they are a polyhedron: how many faces,
+/// and for each how many points, and which.
+class FacesOfCell
 {
-  std::string lower(word);
-  for (char& c : lower)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
+public:
+  explicit FacesOfCell(std::uint64_t points)
+    : m_points(points)
+  {
+  }
+  void take(std::uint64_t number)
+  {
+    if (!m_isBegun)
+      m_faces = number, m_isBegun = true;
+    else if (m_left > 0)
+      --m_left, m_isWrong = m_isWrong || number >= m_points;
+    else if (m_faces > 0)
+      --m_faces, m_left = number;
+    else
+      m_isWrong = true;
+  }
+  bool isPolyhedron() const { return m_isBegun && m_faces == 0 && m_left == 0 && !m_isWrong; }
 
-/// How values of a type are stored.
-struct ValueType
-{
-  Size bits = 0; ///< in binary files; 0 for strings
-  bool isWhole = false;
+private:
+  std::uint64_t m_points, m_faces = 0, m_left = 0;
+  bool m_isBegun = false, m_isWrong = false;
 };
 
 /// Goes through a file as VTK's readers do.
-class LegacyChecker
+class LegacyChecker : LegacyText
 {
 public:
   LegacyChecker(const std::string& path, std::string_view text)
-    : m_path(path)
-    , m_text(text)
+    : LegacyText(path, text)
   {
   }
 
   void check() { checkSet(0); }
 
 private:
-  [[noreturn]] void fail(const std::string& sentence) const
-  {
-    throw FileError(FileError::Kind::Malformed, m_path, sentence);
-  }
-
-  [[noreturn]] void failTruncated(const std::string& what) const
-  {
-    throw FileError(
-      FileError::Kind::Truncated, m_path, "the file ends where " + what + " should be");
-  }
-
-  std::string_view nextLine()
-  {
-    const std::size_t end = std::min(m_text.find('\n', m_at), m_text.size());
-    const std::string_view line = m_text.substr(m_at, end - m_at);
-    m_at = std::min(end + 1, m_text.size());
-    return line;
-  }
-
-  /// The next word; empty at the file's end.
-  std::string_view nextWord()
-  {
-    while (m_at < m_text.size() && isBlank(m_text[m_at]))
-      ++m_at;
-    const std::size_t begin = m_at;
-    while (m_at < m_text.size() && !isBlank(m_text[m_at]))
-      ++m_at;
-    return m_text.substr(begin, m_at - begin);
-  }
-
-  std::string_view requireWord(const char* what)
-  {
-    const std::string_view word = nextWord();
-    if (word.empty())
-      failTruncated(what);
-    if (word.size() > 255)
-      fail(
-        "a word of " + std::to_string(word.size()) + " bytes stands where " + what + " should be");
-    return word;
-  }
-
-  /// Moves past the next word if it is this keyword.
-  bool passWord(const char* keyword)
-  {
-    const std::size_t before = m_at;
-    if (lowerCase(nextWord()) == keyword)
-      return true;
-    m_at = before;
-    return false;
-  }
-
-  static std::string quoted(std::string_view word)
-  {
-    return "'" + std::string(word.substr(0, 40)) + "'";
-  }
-
-  Size requireCount(const char* what)
-  {
-    const std::string_view word = requireWord(what);
-    Size count = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-    if (error != std::errc() || end != word.data() + word.size() || count > mostValues)
-      fail(quoted(word) + " stands where " + what + " should be");
-    return count;
-  }
-
-  ValueType requireType()
-  {
-    static const std::map<std::string, ValueType> types = {{"bit", {1, true}}, {"char", {8, true}},
-      {"signed_char", {8, true}}, {"unsigned_char", {8, true}}, {"short", {16, true}},
-      {"unsigned_short", {16, true}}, {"int", {32, true}}, {"unsigned_int", {32, true}},
-      {"long", {64, true}}, {"unsigned_long", {64, true}}, {"vtktypeint64", {64, true}},
-      {"vtktypeuint64", {64, true}}, {"vtkidtype", {32, true}}, {"float", {32, false}},
-      {"double", {64, false}}, {"string", {0, false}}, {"utf8_string", {0, false}}};
-    const std::string_view word = requireWord("a type");
-    const auto found = types.find(lowerCase(word));
-    if (found == types.end())
-      fail(quoted(word) + " is no type of values");
-    return found->second;
-  }
-
   /// Three lines, of which the third says whether values are text or bytes.
   void checkHead()
   {
@@ -234,8 +159,8 @@ private:
       checkDimensions();
     else if (keyword == "points")
     {
-      const Size count = requireCount("the number of points");
-      checkValues(3 * count, requireType());
+      m_points = requireCount("the number of points");
+      checkValues(3 * m_points, requireType());
     }
     else if (coordinates.contains(keyword))
     {
@@ -245,7 +170,7 @@ private:
     else if (lists.contains(keyword))
       checkCells();
     else if (keyword == "cell_types")
-      checkValues(requireCount("the number of cells"), {32, true});
+      checkTypes();
     else if (const auto found = numbers.find(keyword); found != numbers.end())
       checkNumbers(found->second, false);
     else
@@ -268,16 +193,9 @@ private:
   {
     const Size cells = requireCount("the number of cells");
     const Size values = requireCount("the size of the list of cells");
+    m_arePolyhedra.clear();
     if (m_hasOffsets)
-    {
-      if (!passWord("offsets"))
-        fail("expected OFFSETS");
-      checkValues(cells, requireType());
-      if (!passWord("connectivity"))
-        fail("expected CONNECTIVITY");
-      checkValues(values, requireType());
-      return;
-    }
+      return checkCellsApart(cells, values);
     const std::size_t begin = m_at;
     checkValues(values, {32, true});
     const std::size_t end = m_at;
@@ -290,32 +208,69 @@ private:
       if (left == 0 || points > left - 1)
         fail("the cells do not fill the list of " + std::to_string(values) + " numbers");
       left -= points + 1;
-      for (Size i = 0; i < points; ++i)
-        nextInteger();
+      takeCell(points, 32);
     }
     if (left > 0)
       fail("the list of cells has " + std::to_string(left) + " numbers too many");
     m_at = end;
   }
 
-  /// One of a list of cells, which checkValues() has been through; at most 32 bits.
-  Size nextInteger()
+  /// The points of a cell, of which the next one may be the first.
+  void takeCell(Size points, Size bits)
   {
-    std::int64_t value = 0;
-    if (m_isText)
-    {
-      const std::string_view word = nextWord();
-      std::from_chars(word.data() + word.starts_with('+'), word.data() + word.size(), value);
-    }
-    else
-    {
-      std::uint32_t bits = 0;
-      for (std::size_t i = 0; i < 4; ++i)
-        bits = bits << 8 | static_cast<unsigned char>(m_text[m_at + i]);
-      m_at += 4;
-      value = static_cast<std::int32_t>(bits);
-    }
-    return value < 0 ? mostValues : static_cast<Size>(value);
+    FacesOfCell faces(m_points);
+    for (Size i = 0; i < points; ++i)
+      faces.take(nextInteger(bits));
+    m_arePolyhedra.push_back(faces.isPolyhedron());
+  }
+
+  /// One offset more than there are cells, from 0 to the number of values.
+  void checkCellsApart(Size count, Size values)
+  {
+    if (!passWord("offsets"))
+      fail("expected OFFSETS");
+    const ValueType ofOffsets = requireType();
+    const std::size_t offsetsAt = m_at;
+    checkValues(count, ofOffsets);
+    if (!passWord("connectivity"))
+      fail("expected CONNECTIVITY");
+    const ValueType ofPoints = requireType();
+    const std::size_t pointsAt = m_at;
+    checkValues(values, ofPoints);
+    const std::size_t end = m_at;
+    for (const ValueType& type : {ofOffsets, ofPoints})
+      if (!type.isWhole || (type.bits != 32 && type.bits != 64))
+        fail("cells are of whole numbers of 32 or 64 bits");
+    std::vector<Size> offsets(count);
+    m_at = offsetsAt;
+    passLineEnd();
+    for (Size& offset : offsets)
+      offset = nextInteger(ofOffsets.bits);
+    if (count > 0 && (offsets.front() != 0 || offsets.back() != values ||
+                       !std::is_sorted(offsets.begin(), offsets.end())))
+      fail("the offsets of cells do not ascend from 0 to " + std::to_string(values));
+    m_at = pointsAt;
+    passLineEnd();
+    for (Size cell = 0; cell + 1 < count; ++cell)
+      takeCell(offsets[cell + 1] - offsets[cell], ofPoints.bits);
+    m_at = end;
+  }
+
+  /// Types of cells. Faces of polyhedra are told apart before anything else is looked at.
+  void checkTypes()
+  {
+    constexpr Size polyhedron = 42;
+    const Size count = requireCount("the number of cells");
+    const std::size_t begin = m_at;
+    checkValues(count, {32, true});
+    const std::size_t end = m_at;
+    m_at = begin;
+    passLineEnd();
+    for (Size cell = 0; cell < count; ++cell)
+      if (nextInteger() == polyhedron && (cell >= m_arePolyhedra.size() || !m_arePolyhedra[cell]))
+        fail(
+          "the faces of the polyhedron in cell " + std::to_string(cell) + " do not fit its list");
+    m_at = end;
   }
 
   bool checkAttribute(const std::string& keyword)
@@ -396,96 +351,10 @@ private:
     }
   }
 
-  /// What the file is short of is told before anything is read.
-  void checkValues(Size count, const ValueType& type)
-  {
-    const bool isText = m_isText || type.bits == 0;
-    const Size left = m_text.size() - m_at;
-    const Size bytes = isText ? count : (count * type.bits + 7) / 8;
-    if (bytes > left)
-      throw FileError(FileError::Kind::Truncated, m_path,
-        "the file has no room for the " + std::to_string(count) +
-          " values that it announces: it is truncated");
-    if (type.bits == 0)
-      passStrings(count);
-    else if (m_isText)
-      checkNumbers(count, type.isWhole);
-    else
-    {
-      passLineEnd();
-      if (bytes > m_text.size() - m_at)
-        failTruncated("the last values");
-      m_at += bytes;
-      if (m_at < m_text.size() && !isBlank(m_text[m_at]))
-        fail("values are not followed by a line's end");
-    }
-  }
-
-  void passLineEnd()
-  {
-    if (!m_isText)
-      nextLine();
-  }
-
-  void checkNumbers(Size count, bool whole)
-  {
-    for (Size i = 0; i < count; ++i)
-    {
-      const std::string_view word = nextWord();
-      if (word.empty())
-        failTruncated("a number");
-      if (!(whole ? isNumber<std::int64_t>(word) : isNumber<double>(word)))
-        fail("expected " + std::string(whole ? "a whole number" : "a number") + ", found " +
-             quoted(word));
-    }
-  }
-
-  template <class Number>
-  static bool isNumber(std::string_view word)
-  {
-    word.remove_prefix(word.starts_with('+'));
-    Number number{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return error != std::errc::invalid_argument && end == word.data() + word.size();
-  }
-
-  /// A line each in text; in binary files a length and as many bytes.
-  void passStrings(Size count)
-  {
-    nextLine();
-    for (Size i = 0; i < count; ++i)
-    {
-      if (m_at >= m_text.size())
-        failTruncated("a text");
-      if (m_isText)
-        nextLine();
-      else
-        m_at += std::min<Size>(stringLength(), m_text.size() - m_at);
-    }
-  }
-
-  /// The first two bits tell how many bytes, 8, 4, 2 or 1, have the length.
-  Size stringLength()
-  {
-    const auto first = static_cast<unsigned char>(m_text[m_at]);
-    const std::size_t bytes = std::size_t{8} >> (first >> 6);
-    Size length = first & 0x3f;
-    for (std::size_t i = 1; i < bytes; ++i)
-    {
-      if (m_at + i >= m_text.size())
-        failTruncated("a text");
-      length = length << 8 | static_cast<unsigned char>(m_text[m_at + i]);
-    }
-    m_at += bytes;
-    return length;
-  }
-
-  const std::string& m_path;
-  std::string_view m_text;
-  std::size_t m_at = 0;
-  bool m_isText = true;
-  bool m_hasOffsets = false;       ///< of the lists of cells
-  Size m_tuples = 0, m_arrays = 0; ///< of the attributes that follow
+  Size m_points = 0;                ///< that there are
+  std::vector<bool> m_arePolyhedra; ///< cells that may be some
+  bool m_hasOffsets = false;        ///< of the lists of cells
+  Size m_tuples = 0, m_arrays = 0;  ///< of the attributes that follow
 };
 
 } // namespace

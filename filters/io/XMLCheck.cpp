@@ -42,7 +42,7 @@ std::string fromBase64(std::string_view text, std::size_t count)
   std::string bytes;
   unsigned value = 0;
   int bits = 0;
-  for (const char c : text.substr(0, 256))
+  for (const char c : text.substr(0, 2 * count + 256))
   {
     const std::size_t digit = digits.find(c);
     if (digit == digits.npos && (c == ' ' || c == '\n' || c == '\r' || c == '\t'))
@@ -195,6 +195,7 @@ public:
         isBigEndian_ = attributeOf(element, "byte_order") == "BigEndian";
       }
       this->numbers(element);
+      this->extents(element);
       this->array(element);
       if (attributeOf(element, "format") == "binary")
         this->packed(text.substr(end), true);
@@ -217,23 +218,92 @@ private:
     requireUpTo(path_, element, "index", 1e6);
   }
 
-  /// The head of packed values begins with the number of blocks, for which VTK takes memory.
+  using Extent = std::array<std::int64_t, 6>;
+
+  [[noreturn]] void failAtExtent(std::string_view text) const
+  {
+    throw FileError(FileError::Kind::Malformed, path_,
+      "an extent cannot be '" + std::string(text.substr(0, 72)) + "' in this file");
+  }
+
+  /// First and last index on each axis; none where something else stands there, which the reader
+  /// finds.
+  std::optional<Extent> extentIn(std::string_view element, std::string_view name) const
+  {
+    const auto text = attributeOf(element, name);
+    if (!text)
+      return {};
+    Extent extent{};
+    const char* at = text->data();
+    const char* const end = at + text->size();
+    for (std::int64_t& number : extent)
+    {
+      while (at < end && (*at == ' ' || (*at >= '\t' && *at <= '\r')))
+        ++at;
+      const auto [stop, error] = std::from_chars(at, end, number);
+      if (error == std::errc::invalid_argument)
+        return {};
+      constexpr std::int64_t most = std::int64_t{1} << 30;
+      if (error != std::errc() || number < -most || number > most)
+        this->failAtExtent(*text);
+      at = stop;
+    }
+    return extent;
+  }
+
+  /// The extents of grids: VTK takes memory for the whole one, and copies pieces into it.
+  void extents(std::string_view element)
+  {
+    if (const auto whole = this->extentIn(element, "WholeExtent"))
+    {
+      whole_ = whole;
+      double points = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        points *= static_cast<double>(
+          std::max<std::int64_t>((*whole)[2 * axis + 1] - (*whole)[2 * axis] + 1, 0));
+      if (!element.starts_with("<P") && points > most_) // whose pieces are elsewhere
+        this->failAtExtent(*attributeOf(element, "WholeExtent"));
+    }
+    const auto piece = this->extentIn(element, "Extent");
+    for (std::size_t axis = 0; axis < 3 && piece && whole_; ++axis)
+    {
+      const std::int64_t first = (*piece)[2 * axis], last = (*piece)[2 * axis + 1];
+      if (first <= last && (first < (*whole_)[2 * axis] || last > (*whole_)[2 * axis + 1]))
+        this->failAtExtent(*attributeOf(element, "Extent"));
+    }
+  }
+
+  /// The head of packed values: the number of blocks, how many bytes each and the last stand for,
+  /// and how many each takes, for all of which VTK takes memory.
   void packed(std::string_view bytes, bool isBase64) const
   {
     if (!isPacked_)
       return;
-    const std::size_t count = isLong_ ? 8 : 4;
-    std::string head = isBase64 ? fromBase64(bytes, count) : std::string(bytes.substr(0, count));
-    if (head.size() < count)
-      return; // which the reader finds
-    if (!isBigEndian_)
-      std::reverse(head.begin(), head.end());
-    std::uint64_t blocks = 0;
-    for (const char byte : head)
-      blocks = blocks << 8 | static_cast<unsigned char>(byte);
-    if (blocks > bytes.size())
-      throw FileError(FileError::Kind::Malformed, path_,
-        "the file has no room for " + std::to_string(blocks) + " blocks of packed values");
+    const auto heads = [&](std::size_t count)
+    {
+      const std::size_t width = isLong_ ? 8 : 4;
+      const std::string head =
+        isBase64 ? fromBase64(bytes, count * width) : std::string(bytes.substr(0, count * width));
+      std::vector<std::uint64_t> numbers(count); // 0 where the file ends, which the reader finds
+      for (std::size_t i = 0; (i + 1) * width <= std::min(head.size(), count * width); ++i)
+        for (std::size_t k = 0; k < width; ++k)
+          numbers[i] = numbers[i] << 8 | static_cast<unsigned char>(
+                                           head[i * width + (isBigEndian_ ? k : width - 1 - k)]);
+      return numbers;
+    };
+    const auto require = [&](bool holds, std::uint64_t number, const char* what)
+    {
+      if (!holds)
+        throw FileError(FileError::Kind::Malformed, path_,
+          "the file has no room for " + std::to_string(number) + what);
+    };
+    const std::uint64_t blocks = heads(1)[0];
+    require(blocks <= bytes.size(), blocks, " blocks of packed values");
+    const std::vector<std::uint64_t> numbers = heads(3 + blocks);
+    require(blocks > 0 || numbers[2] == 0, numbers[2], " packed bytes in no block");
+    for (std::size_t i = 1; blocks > 0 && i < numbers.size(); ++i)
+      require(i < 3 ? static_cast<double>(numbers[i]) <= most_ : numbers[i] <= bytes.size(),
+        numbers[i], " packed bytes");
   }
 
   /// What a file says of the arrays of its pieces, these must have: they are copied byte by byte.
@@ -292,6 +362,7 @@ private:
   const Arrays& promised_;
   Arrays arrays_;
   double most_ = 0.0;
+  std::optional<Extent> whole_;
   std::vector<std::uint64_t> offsets_; ///< of appended values
   bool isPacked_ = false, isLong_ = false, isBigEndian_ = false;
   std::size_t arrayCount_ = 0; ///< of a piece

@@ -8,6 +8,8 @@
 
 #include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -36,7 +38,9 @@ namespace mote
 {
 
 /// A reader of one of VTK's XML files. Where cell data are too short, VTK 9.1 names the element of
-/// the point data in its message, and crashes where there is none: this adds an empty one.
+/// the point data in its message, and crashes where there is none: this adds an empty one. Where a
+/// time step is damaged, VTK 9.1 takes what it has left of that for another step, and crashes:
+/// after one, this has each step read by a reader of its own.
 template <class Reader>
 class WithPointData : public Reader
 {
@@ -44,6 +48,16 @@ public:
   static WithPointData* New() { VTK_STANDARD_NEW_BODY(WithPointData); }
 
 protected:
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    if (m_hasFailed)
+      return this->readAnew(outputs->GetInformationObject(0));
+    const int done = this->Reader::RequestData(request, inputs, outputs);
+    m_hasFailed = this->DataError != 0;
+    return done;
+  }
+
   int ReadPiece(vtkXMLDataElement* piece) override
   {
     if (!piece->FindNestedElementWithName("PointData"))
@@ -54,6 +68,27 @@ protected:
     }
     return Reader::ReadPiece(piece);
   }
+
+private:
+  int readAnew(vtkInformation* asked)
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkNew<WithPointData> other;
+    other->SetFileName(this->GetFileName());
+    other->GetPointDataArraySelection()->CopySelections(this->GetPointDataArraySelection());
+    other->GetCellDataArraySelection()->CopySelections(this->GetCellDataArraySelection());
+    vtkNew<vtkInformation> same;
+    for (vtkInformationIntegerKey* key : {Pipeline::UPDATE_PIECE_NUMBER(),
+           Pipeline::UPDATE_NUMBER_OF_PIECES(), Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()})
+      same->CopyEntry(asked, key);
+    same->CopyEntry(asked, Pipeline::UPDATE_TIME_STEP());
+    other->Update(same);
+    vtkDataObject* data = other->GetOutputDataObject(0);
+    asked->Get(vtkDataObject::DATA_OBJECT())->ShallowCopy(data);
+    return other->m_hasFailed ? 0 : 1;
+  }
+
+  bool m_hasFailed = false;
 };
 
 /// The time that the first one tells of the files that an index of pieces or blocks names.

@@ -257,6 +257,27 @@ TEST_F(TestDamagedMeshes, PiecesAndBlocksWithoutPointDataWhoseCellDataAreTooShor
   EXPECT_NE(readPieces("PolyData", "vtp", "NumberOfPolys", "<Polys>" + cells + "</Polys>"), "");
 }
 
+TEST_F(TestDamagedMeshes, StepsInOneFile)
+{
+  const auto array = [](const std::string& name, int step, const std::string& values)
+  {
+    return "<DataArray type=\"Float32\" Name=\"" + name + "\" TimeStep=\"" + std::to_string(step) +
+           "\" format=\"ascii\">" + values + "</DataArray>\n";
+  };
+  const auto file = [&](const std::string& first)
+  {
+    return write("a.vti",
+      "<VTKFile type=\"ImageData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      "<ImageData TimeValues=\"0 1\" WholeExtent=\"0 1 0 1 0 1\" Origin=\"0 0 0\" "
+      "Spacing=\"1 1 1\"><Piece Extent=\"0 1 0 1 0 1\">\n<PointData>" +
+        array("p", 0, first) + array("p", 1, "7 6 5 4 3 2 1 0") + "</PointData>\n<CellData>" +
+        array("c", 0, "1") + array("c", 1, "2") + "</CellData>\n</Piece></ImageData></VTKFile>\n");
+  };
+  damage(file("0 1 2 3 4 5 6 7"), 300);
+  // VTK's reader would take the arrays of another step for those that it could not read.
+  EXPECT_NE(read(file("0 1 two 3 4 5 6 7")).find("a.vti"), std::string::npos);
+}
+
 TEST_F(TestDamagedMeshes, Collections)
 {
   writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", samples::box());
