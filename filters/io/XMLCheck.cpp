@@ -178,30 +178,46 @@ public:
     for (Elements elements(text, path_); elements.next();)
     {
       const std::string_view element = elements.element().substr(0, 4096);
-      const std::size_t end = elements.end();
       if (element.starts_with("<AppendedData"))
-      {
-        const bool isBase64 = attributeOf(element, "encoding") == "base64";
-        const std::size_t begin = text.find('_', end);
-        for (const std::uint64_t offset : offsets_)
-          if (begin != text.npos && offset < text.size() - begin)
-            this->packed(text.substr(begin + 1 + offset), isBase64);
         return; // what follows are bytes
-      }
-      if (element.starts_with("<VTKFile"))
-      {
-        isPacked_ = attributeOf(element, "compressor").has_value();
-        isLong_ = attributeOf(element, "header_type") == "UInt64";
-        isBigEndian_ = attributeOf(element, "byte_order") == "BigEndian";
-      }
       this->numbers(element);
       this->extents(element);
       this->array(element);
-      if (attributeOf(element, "format") == "binary")
-        this->packed(text.substr(end), true);
       for (const char* name : {"file", "Source"})
         if (const auto other = attributeOf(element, name); other && depth < 2)
           this->follow(std::string(*other), depth);
+    }
+  }
+
+  /// Goes through the values that are packed, of this file alone.
+  void runValues()
+  {
+    const TextFile file(path_);
+    const std::string_view text = file.text();
+    most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
+    std::vector<std::uint64_t> offsets; // of appended values
+    bool isPacked = false;
+    for (Elements elements(text, path_); elements.next();)
+    {
+      const std::string_view element = elements.element().substr(0, 4096);
+      const std::size_t end = elements.end();
+      if (element.starts_with("<VTKFile"))
+      {
+        isPacked = attributeOf(element, "compressor").has_value();
+        isLong_ = attributeOf(element, "header_type") == "UInt64";
+        isBigEndian_ = attributeOf(element, "byte_order") == "BigEndian";
+      }
+      if (!isPacked)
+        return;
+      std::uint64_t offset = 0;
+      if (const auto at = attributeOf(element, "offset");
+          at && std::from_chars(at->data(), at->data() + at->size(), offset).ec == std::errc())
+        offsets.push_back(offset);
+      if (attributeOf(element, "format") == "binary")
+        this->packed(text.substr(end), true);
+      if (element.starts_with("<AppendedData"))
+        return this->appended(
+          text.substr(end), attributeOf(element, "encoding") == "base64", offsets);
     }
   }
 
@@ -273,19 +289,40 @@ private:
     }
   }
 
+  void appended(
+    std::string_view bytes, bool isBase64, const std::vector<std::uint64_t>& offsets) const
+  {
+    const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+    this->requireHead(offsets.empty() || (begin != bytes.npos && bytes[begin] == '_'));
+    for (const std::uint64_t offset : offsets)
+    {
+      this->requireHead(offset < bytes.size() - begin - 1);
+      this->packed(bytes.substr(begin + 1 + offset), isBase64);
+    }
+  }
+
+  void requireHead(bool isThere) const
+  {
+    if (!isThere)
+      throw FileError(FileError::Kind::Malformed, path_,
+        "packed values do not begin with how many bytes they are, or the file ends before them");
+  }
+
   /// The head of packed values: the number of blocks, how many bytes each and the last stand for,
   /// and how many each takes, for all of which VTK takes memory.
   void packed(std::string_view bytes, bool isBase64) const
   {
-    if (!isPacked_)
-      return;
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (isBase64 && first != bytes.npos && bytes[first] == '<')
+      return; // of no values
     const auto heads = [&](std::size_t count)
     {
       const std::size_t width = isLong_ ? 8 : 4;
       const std::string head =
         isBase64 ? fromBase64(bytes, count * width) : std::string(bytes.substr(0, count * width));
-      std::vector<std::uint64_t> numbers(count); // 0 where the file ends, which the reader finds
-      for (std::size_t i = 0; (i + 1) * width <= std::min(head.size(), count * width); ++i)
+      this->requireHead(head.size() >= count * width); // else VTK takes what memory held before
+      std::vector<std::uint64_t> numbers(count);
+      for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < width; ++k)
           numbers[i] = numbers[i] << 8 | static_cast<unsigned char>(
                                            head[i * width + (isBigEndian_ ? k : width - 1 - k)]);
@@ -316,11 +353,6 @@ private:
       isPromise_ = name == "PPoints" || name == "PPointData" || name == "PCellData";
       section_ = name.substr(isPromise_ ? 1 : 0);
     }
-    std::uint64_t offset = 0;
-    if (const auto text = attributeOf(element, "offset");
-        text &&
-        std::from_chars(text->data(), text->data() + text->size(), offset).ec == std::errc())
-      offsets_.push_back(offset);
     if (element.starts_with("<Piece"))
       arrayCount_ = 0;
     if (!isArray)
@@ -363,8 +395,7 @@ private:
   Arrays arrays_;
   double most_ = 0.0;
   std::optional<Extent> whole_;
-  std::vector<std::uint64_t> offsets_; ///< of appended values
-  bool isPacked_ = false, isLong_ = false, isBigEndian_ = false;
+  bool isLong_ = false, isBigEndian_ = false;
   std::size_t arrayCount_ = 0; ///< of a piece
   std::string section_;
   bool isPromise_ = false; ///< the section's arrays are those of pieces
@@ -384,6 +415,12 @@ void checkVTKXML(const std::string& path)
 {
   const Arrays none;
   Check(path, none).run(0);
+}
+
+void checkVTKXMLValues(const std::string& path)
+{
+  const Arrays none;
+  Check(path, none).runValues();
 }
 
 } // namespace mote

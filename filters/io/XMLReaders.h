@@ -3,8 +3,10 @@
 
 // VTK's readers of XML files, mended where files of users need it.
 
+#include "FileError.h"
 #include "PieceWelds.h"
 #include "TimeSteps.h"
+#include "XMLCheck.h"
 
 #include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
@@ -51,6 +53,17 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
+    try
+    {
+      if (this->GetFileName())
+        checkVTKXMLValues(this->GetFileName());
+    }
+    catch (const FileError& error)
+    {
+      outputs->GetInformationObject(0)->Get(vtkDataObject::DATA_OBJECT())->Initialize();
+      vtkErrorMacro(<< error.what());
+      return 1; // a failed request would leave old data downstream
+    }
     if (m_hasFailed)
       return this->readAnew(outputs->GetInformationObject(0));
     const int done = this->Reader::RequestData(request, inputs, outputs);
