@@ -2,8 +2,10 @@
 
 #include "MessageCatcher.h"
 
+#include "vtkIdTypeArray.h"
 #include "vtkXMLUtilities.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace mote
@@ -62,7 +64,68 @@ std::optional<double> timeOf(const fs::path& file, int depth)
   return first.empty() ? std::nullopt : timeOf(file.parent_path() / first, depth - 1);
 }
 
+/// Whether faces are, cell after cell, as many as their first number says, each with as many points
+/// as its first says, and end where the cell's offset is; cells of other kinds have -1 there.
+bool fillTheirCells(vtkIdTypeArray* faces, vtkIdTypeArray* ends)
+{
+  const vtkIdType size = faces->GetNumberOfValues();
+  const auto next = [&](vtkIdType& at) { return at < size ? faces->GetValue(at++) : -1; };
+  vtkIdType at = 0;
+  for (vtkIdType cell = 0; cell < ends->GetNumberOfValues(); ++cell)
+  {
+    const vtkIdType end = ends->GetValue(cell);
+    if (end < 0)
+      continue;
+    for (vtkIdType left = next(at); left > 0; --left)
+    {
+      const vtkIdType points = next(at);
+      if (points < 0 || points > size - at)
+        return false;
+      at += points;
+    }
+    if (at != end)
+      return false;
+  }
+  return true;
+}
+
 } // namespace
+
+bool FacesReader::areFacesWhole()
+{
+  vtkXMLDataElement* cells = this->CellElements[this->Piece];
+  vtkXMLDataElement* const ofFaces = cells ? this->FindDataArrayWithName(cells, "faces") : nullptr;
+  vtkXMLDataElement* const ofEnds =
+    cells ? this->FindDataArrayWithName(cells, "faceoffsets") : nullptr;
+  if (!ofFaces || !ofEnds)
+    return true; // there are none, or the reader misses one
+  const vtkIdType count = this->NumberOfCells[this->Piece];
+  vtkNew<vtkIdTypeArray> faces, ends;
+  ends->SetNumberOfValues(count);
+  if (!this->ReadArrayValues(ofEnds, 0, ends, 0, count))
+    return true; // as where there are no polyhedra
+  vtkIdType length = 0;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+    length = std::max(length, ends->GetValue(cell));
+  std::error_code error;
+  const auto bytes = fs::file_size(this->GetFileName() ? this->GetFileName() : "", error);
+  constexpr vtkIdType perByte = 4096; // which no packer surpasses
+  if (!error && length / perByte > static_cast<vtkIdType>(bytes))
+    return false;
+  faces->SetNumberOfValues(length);
+  if (length > 0 && !this->ReadArrayValues(ofFaces, 0, faces, 0, length))
+    return false;
+  return fillTheirCells(faces, ends);
+}
+
+int FacesReader::ReadPieceData()
+{
+  if (this->areFacesWhole())
+    return this->vtkXMLUnstructuredGridReader::ReadPieceData();
+  vtkErrorMacro("the faces of polyhedra do not fit their cells");
+  this->DataError = 1;
+  return 0;
+}
 
 std::optional<double> timeOfFiles(const std::string& index)
 {

@@ -104,6 +104,19 @@ private:
   bool m_hasFailed = false;
 };
 
+/// A reader of grids. VTK 9.1 trusts the numbers of faces that polyhedra have: this looks at them
+/// first.
+class FacesReader : public vtkXMLUnstructuredGridReader
+{
+protected:
+  int ReadPieceData() override;
+
+private:
+  bool areFacesWhole();
+};
+
+using GridReader = WithPointData<FacesReader>;
+
 /// The time that the first one tells of the files that an index of pieces or blocks names.
 std::optional<double> timeOfFiles(const std::string& index);
 
@@ -137,8 +150,7 @@ protected:
 };
 
 /// Puts pieces together with one point where each has a copy.
-class WeldingGridReader
-  : public InPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>
+class WeldingGridReader : public InPieces<vtkXMLPUnstructuredGridReader, FacesReader>
 {
 public:
   static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
@@ -170,7 +182,7 @@ protected:
     const std::string file = this->GetFileNameFromXML(element, folder);
     const std::string ending = vtksys::SystemTools::GetFilenameLastExtension(file);
     return ending == ".vtp"   ? this->readBy<vtkXMLPolyDataReader>(file)
-           : ending == ".vtu" ? this->readBy<vtkXMLUnstructuredGridReader>(file)
+           : ending == ".vtu" ? this->readBy<FacesReader>(file)
            : ending == ".vti" ? this->readBy<vtkXMLImageDataReader>(file)
            : ending == ".vts" ? this->readBy<vtkXMLStructuredGridReader>(file)
            : ending == ".vtr" ? this->readBy<vtkXMLRectilinearGridReader>(file)
