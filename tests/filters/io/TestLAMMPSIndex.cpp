@@ -113,6 +113,7 @@ TEST_F(TestLAMMPSIndex, Layouts)
     names += array.name + ":" + std::to_string(array.columns.size()) + " ";
   EXPECT_EQ(names, "id:1 xs:1 v:3 c_s:2 fx:1 ");
   EXPECT_EQ(layoutOf({"x", "y", "z", "vx", "vy", "vz"}, false).arrays.size(), 3u);
+  EXPECT_EQ(layoutOf({"x", "y", "z", "c_s[1]"}, true).arrays.at(0).name, "c_s[1]") << "one alone";
   EXPECT_EQ(layoutOf({"id", "x", "z"}, true).missing, "y");
   EXPECT_EQ(
     layoutOf({"x", "y", "z", "c_1[1]", "c_2[2]", "c_q[0]", "c_q["}, true).arrays.size(), 4u);

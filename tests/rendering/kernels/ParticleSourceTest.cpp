@@ -122,6 +122,14 @@ TEST(ParticleSource, TakesOtherRadiiThanItsOwn)
   EXPECT_THROW(examine(set), Error);
 }
 
+TEST(GeneratedParticles, AreThoseOfEveryVersion)
+{
+  // The first numbers that splitmix64 gives for the seed 0.
+  const std::uint64_t known[] = {0xe220a8397b1dcdafu, 0x6e789e6aa1b965f4u, 0x06c45d188009454fu};
+  for (std::uint64_t k = 0; k < 3; ++k)
+    EXPECT_EQ(uniformNumber(0, k), static_cast<double>(known[k] >> 11) * 0x1p-53);
+}
+
 TEST(GeneratedParticles, LieWhereTheyShould)
 {
   const auto lattice = makeParticles("lattice:1000");

@@ -196,6 +196,24 @@ TYPED_TEST(StructureDegenerate, BadNumbersAreCountedAndLeftOut)
   expectRightFromAllAround<TypeParam>(particles);
 }
 
+TEST(ParticleStatistics, OfOneRadiusAreThoseOfRadiiOneByOne)
+{
+  Particles particles = randomParticles(3000, 5, 0.1, 0.1);
+  for (int i = 0; i < 40; ++i)
+    particles.add({std::nan(""), i, 0.0}, 0.1);
+  const ParticleSet set = particles.set();
+  ParticleSet even = set;
+  even.radii = {};
+  even.radius = 0.1;
+  ASSERT_TRUE(even.hasOneRadius() && !set.hasOneRadius());
+  const ParticleStatistics each = examine(set), one = examine(even);
+  EXPECT_EQ(each.valid, 3000u);
+  EXPECT_EQ(one.valid, each.valid);
+  EXPECT_EQ(one.badPositions, 40u);
+  EXPECT_EQ(each.badPositions, 40u);
+  EXPECT_EQ(one.largestRadius, 0.1);
+}
+
 TYPED_TEST(StructureDegenerate, OnlyBadParticlesHitNothing)
 {
   Particles particles;
