@@ -338,6 +338,7 @@ private:
     require(blocks <= bytes.size(), blocks, " blocks of packed values");
     const std::vector<std::uint64_t> numbers = heads(3 + blocks);
     require(blocks > 0 || numbers[2] == 0, numbers[2], " packed bytes in no block");
+    require(blocks == 0 || numbers[1] > 0, blocks, " blocks of no bytes");
     for (std::size_t i = 1; blocks > 0 && i < numbers.size(); ++i)
       require(i < 3 ? static_cast<double>(numbers[i]) <= most_ : numbers[i] <= bytes.size(),
         numbers[i], " packed bytes");
