@@ -114,6 +114,15 @@ image_steps = vtk_xml.format(
         array(name, values, "Int16").replace(" Name", f' TimeStep="{step}" Name')
         for step in (0, 1)) + f"</{kind}>"
         for kind, name, values in (("PointData", "p", numbered), ("CellData", "c", "1"))))
+boxed = ' WholeExtent="0 1 0 1 0 1"'
+structured = vtk_xml.format(
+    type="StructuredGrid", extent=boxed, piece='Extent="0 1 0 1 0 1"', appended="",
+    body="<PointData>" + array("p", numbered) + "</PointData><Points>" + array("Points", corners, components=3) +
+    "</Points>")
+rectilinear = with_zlib(vtk_xml.format(
+    type="RectilinearGrid", extent=boxed, piece='Extent="0 1 0 1 0 1"', appended="",
+    body="<CellData>" + zipped("c", [1], "UInt8") + "</CellData><Coordinates>" + array("x", "0 1") +
+    zipped("y", [0.0, 1.0]) + array("z", "0 2") + "</Coordinates>"))
 legacy = "# vtk DataFile Version 3.0\na test\n{format}\nDATASET {rest}"
 facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
 gltf = {
@@ -293,6 +302,8 @@ seeds = {
     "vtp": [triangles, all_kinds],
     "vtu": [hexahedron, quadratic, polyhedron],
     "vti": [image, image_steps],
+    "vts": [structured],
+    "vtr": [rectilinear],
     "stl": [
         "solid a\n" + facet + "endsolid a\n",
         b"a binary file".ljust(80) + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
