@@ -172,6 +172,7 @@ public:
 
   void run(int depth)
   {
+    this->runValues(true);
     const TextFile file(path_);
     const std::string_view text = file.text();
     most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
@@ -189,14 +190,15 @@ public:
     }
   }
 
-  /// Goes through the values that are packed, of this file alone.
-  void runValues()
+  /// Goes through the values that are packed, of this file alone: of all arrays, or of those of the
+  /// whole file, which VTK reads to know its time.
+  void runValues(bool ofFileAlone)
   {
     const TextFile file(path_);
     const std::string_view text = file.text();
     most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
     std::vector<std::uint64_t> offsets; // of appended values
-    bool isPacked = false;
+    bool isPacked = false, isOfFile = false;
     for (Elements elements(text, path_); elements.next();)
     {
       const std::string_view element = elements.element().substr(0, 4096);
@@ -209,11 +211,15 @@ public:
       }
       if (!isPacked)
         return;
+      const bool isMet = !ofFileAlone || isOfFile;
+      if (element.starts_with("<FieldData") || element.starts_with("</FieldData"))
+        isOfFile = element[1] != '/';
       std::uint64_t offset = 0;
       if (const auto at = attributeOf(element, "offset");
-          at && std::from_chars(at->data(), at->data() + at->size(), offset).ec == std::errc())
+          isMet && at &&
+          std::from_chars(at->data(), at->data() + at->size(), offset).ec == std::errc())
         offsets.push_back(offset);
-      if (attributeOf(element, "format") == "binary")
+      if (isMet && attributeOf(element, "format") == "binary")
         this->packed(text.substr(end), true);
       if (element.starts_with("<AppendedData"))
         return this->appended(
@@ -421,7 +427,7 @@ void checkVTKXML(const std::string& path)
 void checkVTKXMLValues(const std::string& path)
 {
   const Arrays none;
-  Check(path, none).runValues();
+  Check(path, none).runValues(false);
 }
 
 } // namespace mote
