@@ -362,10 +362,16 @@ private:
     }
     if (element.starts_with("<Piece"))
       arrayCount_ = 0;
+    hasTimes_ = hasTimes_ || attributeOf(element, "TimeValues");
     if (!isArray)
       return;
     if (++arrayCount_ > mostArrays)
       throw FileError(FileError::Kind::Malformed, path_, tooMany("arrays"));
+    if (element.starts_with("<DataArray") && !attributeOf(element, "type"))
+      throw FileError(FileError::Kind::Malformed, path_, "an array does not say its type");
+    if (!hasTimes_ && attributeOf(element, "TimeStep"))
+      throw FileError(
+        FileError::Kind::Malformed, path_, "an array is of a time step, and there are no times");
     if (!isPromise_ && element.find("format") == element.npos)
       throw FileError(FileError::Kind::Malformed, path_, "an array does not say its format");
     if (const auto type = attributeOf(element, "type"); type && !isKnownType(*type))
@@ -404,6 +410,7 @@ private:
   std::optional<Extent> whole_;
   bool isLong_ = false, isBigEndian_ = false;
   std::size_t arrayCount_ = 0; ///< of a piece
+  bool hasTimes_ = false;
   std::string section_;
   bool isPromise_ = false; ///< the section's arrays are those of pieces
 };
