@@ -147,6 +147,47 @@ TEST_F(TestTextCursor, SeveralGzipMembersAreOneText)
   EXPECT_FALSE(cursor.nextLine(line));
 }
 
+/// A gzip member of so many bytes, for which its head has a long name. The text is not packed.
+std::string memberOf(const std::string& text, std::size_t bytes)
+{
+  const auto make = [&](const std::string& name)
+  {
+    z_stream z = {};
+    gz_header head = {};
+    head.name = reinterpret_cast<Bytef*>(const_cast<char*>(name.c_str()));
+    deflateInit2(&z, 0, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    deflateSetHeader(&z, &head);
+    std::string packed(text.size() + name.size() + 4096, '\0');
+    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+    z.avail_in = static_cast<uInt>(text.size());
+    z.next_out = reinterpret_cast<Bytef*>(packed.data());
+    z.avail_out = static_cast<uInt>(packed.size());
+    EXPECT_EQ(deflate(&z, Z_FINISH), Z_STREAM_END);
+    packed.resize(z.total_out);
+    deflateEnd(&z);
+    return packed;
+  };
+  return make(std::string(bytes - make("").size(), 'n'));
+}
+
+TEST_F(TestTextCursor, MembersMayEndWhereABufferDoes)
+{
+  constexpr std::size_t buffer = 256 * 1024; // of GzipStream
+  const std::string first(buffer - 5000, 'a');
+  for (const std::size_t bytes : {buffer - 1, buffer, buffer + 1})
+  {
+    const std::string member = memberOf(first + '\n', bytes);
+    ASSERT_EQ(member.size(), bytes);
+    TextCursor cursor(write("a.gz", member + memberOf("second\n", 2000)));
+    std::string_view line;
+    ASSERT_TRUE(cursor.nextLine(line));
+    EXPECT_EQ(line.size(), first.size());
+    ASSERT_TRUE(cursor.nextLine(line)) << bytes;
+    EXPECT_EQ(line, "second");
+    EXPECT_FALSE(cursor.nextLine(line));
+  }
+}
+
 TEST_F(TestTextCursor, TruncatedGzipGivesWhatItHasAndThenThrows)
 {
   const std::string text = numberedLines(1000);
