@@ -64,6 +64,15 @@ std::optional<double> timeOf(const fs::path& file, int depth)
   return first.empty() ? std::nullopt : timeOf(file.parent_path() / first, depth - 1);
 }
 
+/// Whether a file may have so many values, however it is packed.
+bool mayHold(const char* file, vtkIdType values)
+{
+  constexpr vtkIdType perByte = 4096; // which no packer surpasses
+  std::error_code error;
+  const auto bytes = fs::file_size(file ? file : "", error);
+  return error || values / perByte <= static_cast<vtkIdType>(bytes);
+}
+
 /// Whether faces are, cell after cell, as many as their first number says, each with as many points
 /// as its first says, and end where the cell's offset is; cells of other kinds have -1 there.
 bool fillTheirCells(vtkIdTypeArray* faces, vtkIdTypeArray* ends)
@@ -91,40 +100,73 @@ bool fillTheirCells(vtkIdTypeArray* faces, vtkIdTypeArray* ends)
 
 } // namespace
 
-bool FacesReader::areFacesWhole()
+template <class Reader>
+bool WithCells<Reader>::areCellsWhole(vtkXMLDataElement* cells, vtkIdType count)
 {
-  vtkXMLDataElement* cells = this->CellElements[this->Piece];
+  vtkXMLDataElement* const ofOffsets =
+    cells ? this->FindDataArrayWithName(cells, "offsets") : nullptr;
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(count);
+  if (count == 0 || !ofOffsets || !this->ReadArrayValues(ofOffsets, 0, offsets, 0, count))
+    return true; // or the reader misses them
+  const vtkIdType* const values = offsets->GetPointer(0);
+  return values[0] >= 0 && std::is_sorted(values, values + count) &&
+         mayHold(this->GetFileName(), values[count - 1]);
+}
+
+template <class Reader>
+int WithCells<Reader>::refuse(const char* what)
+{
+  vtkErrorMacro(<< what);
+  this->DataError = 1;
+  return 0;
+}
+
+bool GridReader::areFacesWhole()
+{
+  vtkXMLDataElement* const cells = this->CellElements[this->Piece];
   vtkXMLDataElement* const ofFaces = cells ? this->FindDataArrayWithName(cells, "faces") : nullptr;
   vtkXMLDataElement* const ofEnds =
     cells ? this->FindDataArrayWithName(cells, "faceoffsets") : nullptr;
-  if (!ofFaces || !ofEnds)
-    return true; // there are none, or the reader misses one
   const vtkIdType count = this->NumberOfCells[this->Piece];
   vtkNew<vtkIdTypeArray> faces, ends;
   ends->SetNumberOfValues(count);
-  if (!this->ReadArrayValues(ofEnds, 0, ends, 0, count))
-    return true; // as where there are no polyhedra
+  if (!ofFaces || !ofEnds || !this->ReadArrayValues(ofEnds, 0, ends, 0, count))
+    return true; // there are no polyhedra, or the reader misses what they are of
   vtkIdType length = 0;
   for (vtkIdType cell = 0; cell < count; ++cell)
     length = std::max(length, ends->GetValue(cell));
-  std::error_code error;
-  const auto bytes = fs::file_size(this->GetFileName() ? this->GetFileName() : "", error);
-  constexpr vtkIdType perByte = 4096; // which no packer surpasses
-  if (!error && length / perByte > static_cast<vtkIdType>(bytes))
+  if (!mayHold(this->GetFileName(), length))
     return false;
   faces->SetNumberOfValues(length);
-  if (length > 0 && !this->ReadArrayValues(ofFaces, 0, faces, 0, length))
-    return false;
-  return fillTheirCells(faces, ends);
+  return (length == 0 || this->ReadArrayValues(ofFaces, 0, faces, 0, length)) &&
+         fillTheirCells(faces, ends);
 }
 
-int FacesReader::ReadPieceData()
+namespace
 {
-  if (this->areFacesWhole())
-    return this->vtkXMLUnstructuredGridReader::ReadPieceData();
-  vtkErrorMacro("the faces of polyhedra do not fit their cells");
-  this->DataError = 1;
-  return 0;
+
+constexpr const char* noCells = "the offsets of cells do not ascend, or lead behind the file's end";
+
+} // namespace
+
+int GridReader::ReadPieceData()
+{
+  if (!this->areCellsWhole(this->CellElements[this->Piece], this->NumberOfCells[this->Piece]))
+    return this->refuse(noCells);
+  return this->areFacesWhole() ? this->vtkXMLUnstructuredGridReader::ReadPieceData()
+                               : this->refuse("the faces of polyhedra do not fit their cells");
+}
+
+int PolygonsReader::ReadPieceData()
+{
+  const int piece = this->Piece;
+  return this->areCellsWhole(this->VertElements[piece], this->NumberOfVerts[piece]) &&
+             this->areCellsWhole(this->LineElements[piece], this->NumberOfLines[piece]) &&
+             this->areCellsWhole(this->StripElements[piece], this->NumberOfStrips[piece]) &&
+             this->areCellsWhole(this->PolyElements[piece], this->NumberOfPolys[piece])
+           ? this->vtkXMLPolyDataReader::ReadPieceData()
+           : this->refuse(noCells);
 }
 
 std::optional<double> timeOfFiles(const std::string& index)

@@ -104,9 +104,24 @@ private:
   bool m_hasFailed = false;
 };
 
-/// A reader of grids. VTK 9.1 trusts the numbers of faces that polyhedra have: this looks at them
-/// first.
-class FacesReader : public vtkXMLUnstructuredGridReader
+/// A reader of cells. VTK 9.1 trusts what is said of where cells begin: this looks at it first.
+template <class Reader>
+class WithCells : public Reader
+{
+protected:
+  /// Whether the cells of an element ascend and are no more than the file can hold.
+  bool areCellsWhole(vtkXMLDataElement* cells, vtkIdType count);
+  int refuse(const char* what);
+};
+
+class PolygonsReader : public WithCells<vtkXMLPolyDataReader>
+{
+protected:
+  int ReadPieceData() override;
+};
+
+/// It trusts the numbers of faces that polyhedra have, too.
+class GridReader : public WithCells<vtkXMLUnstructuredGridReader>
 {
 protected:
   int ReadPieceData() override;
@@ -114,8 +129,6 @@ protected:
 private:
   bool areFacesWhole();
 };
-
-using GridReader = WithPointData<FacesReader>;
 
 /// The time that the first one tells of the files that an index of pieces or blocks names.
 std::optional<double> timeOfFiles(const std::string& index);
@@ -150,7 +163,7 @@ protected:
 };
 
 /// Puts pieces together with one point where each has a copy.
-class WeldingGridReader : public InPieces<vtkXMLPUnstructuredGridReader, FacesReader>
+class WeldingGridReader : public InPieces<vtkXMLPUnstructuredGridReader, GridReader>
 {
 public:
   static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
@@ -181,8 +194,8 @@ protected:
   {
     const std::string file = this->GetFileNameFromXML(element, folder);
     const std::string ending = vtksys::SystemTools::GetFilenameLastExtension(file);
-    return ending == ".vtp"   ? this->readBy<vtkXMLPolyDataReader>(file)
-           : ending == ".vtu" ? this->readBy<FacesReader>(file)
+    return ending == ".vtp"   ? this->readBy<PolygonsReader>(file)
+           : ending == ".vtu" ? this->readBy<GridReader>(file)
            : ending == ".vti" ? this->readBy<vtkXMLImageDataReader>(file)
            : ending == ".vts" ? this->readBy<vtkXMLStructuredGridReader>(file)
            : ending == ".vtr" ? this->readBy<vtkXMLRectilinearGridReader>(file)
