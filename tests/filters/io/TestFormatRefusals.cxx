@@ -270,6 +270,7 @@ TEST_F(TestFormatRefusals, GLTFThatNamesWhatItLacks)
   refused("/meshes/0/primitives/0/attributes/POSITION", "1", "the right type for POSITION");
   refused("/meshes/0/primitives/0/indices", "0", "the right type for indices");
   refused("/meshes/0/primitives/0/targets", R"([{"POSITION": 9}])", "asks for accessors");
+  refused("/accessors/0/sparse", R"({"count": 1})", "sparse values are not read");
   refused("/textures", R"([{"source": 0}])", "asks for images that it lacks");
   refused("/textures", R"([{"sampler": 0}])", "asks for samplers that it lacks");
   refused("/images", R"([{"bufferView": 2}])", "asks for bufferViews that it lacks");
