@@ -139,6 +139,41 @@ gltf = {
                  base64.b64encode(struct.pack("<9f3H", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2)).decode()}],
 }
 
+def moving_gltf():
+    """With a skin, animations, morph targets, colours and lines."""
+    def floats(*values):
+        return struct.pack(f"<{len(values)}f", *values)
+    one = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+    kinds = [  # what is in a view, its type, its kind of numbers, how many
+        (floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0), "VEC3", 5126, 4),
+        (floats(*[1, 0, 0, 1] * 4), "VEC4", 5126, 4), (struct.pack("<6H", 0, 1, 2, 1, 3, 2), "SCALAR", 5123, 6),
+        (bytes([0, 1, 0, 0] * 4), "VEC4", 5121, 4), (floats(*[0.5, 0.5, 0, 0] * 4), "VEC4", 5126, 4),
+        (floats(*one * 2), "MAT4", 5126, 2), (floats(0, 1), "SCALAR", 5126, 2),
+        (floats(0, 0, 0, 1, 1, 1), "VEC3", 5126, 2), (floats(*[0, 0, 0.1] * 4), "VEC3", 5126, 4)]
+    places, data = [], b""
+    for values, *_ in kinds:
+        places.append(len(data))
+        data += values
+    skinned = {"attributes": {"POSITION": 0, "COLOR_0": 1, "JOINTS_0": 3, "WEIGHTS_0": 4}, "indices": 2,
+               "targets": [{"POSITION": 8}]}
+    return {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 3]}],
+        "nodes": [{"mesh": 0, "skin": 0, "children": [1, 2]}, {"rotation": [0, 0, 0, 1]},
+                  {"translation": [0, 1, 0]}, {"mesh": 1}],
+        "meshes": [{"weights": [0.5], "primitives": [skinned]},
+                   {"primitives": [{"attributes": {"POSITION": 0}, "mode": mode} for mode in (0, 1, 5)]}],
+        "skins": [{"joints": [1, 2], "inverseBindMatrices": 5}],
+        "animations": [{"channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}],
+                        "samplers": [{"input": 6, "output": 7, "interpolation": "LINEAR"}]}],
+        "accessors": [{"bufferView": i, "componentType": number, "count": count, "type": kind}
+                      for i, (_, kind, number, count) in enumerate(kinds)],
+        "bufferViews": [{"buffer": 0, "byteOffset": place, "byteLength": len(values)}
+                        for place, (values, *_) in zip(places, kinds)],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
+                     base64.b64encode(data).decode()}],
+    }
+
+
 def record(data):
     length = struct.pack("<I", len(data))
     return length + data + length
@@ -308,7 +343,7 @@ seeds = {
         "solid a\n" + facet + "endsolid a\n",
         b"a binary file".ljust(80) + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
     ],
-    "gltf": [json.dumps(gltf)],
+    "gltf": [json.dumps(gltf), json.dumps(moving_gltf())],
     "colormap": [
         json.dumps([{"Name": "a", "ColorSpace": space, "NanColor": [1, 1, 0],
                      "RGBPoints": [0, 0, 0, 1, 0.5, 1, 1, 1, 1, 1, 0, 0]}])
