@@ -296,7 +296,7 @@ private:
 
 } // namespace
 
-void checkGLTF(const std::string& path)
+bool checkGLTF(const std::string& path)
 {
   try
   {
@@ -320,6 +320,7 @@ void checkGLTF(const std::string& path)
     for (const Json& accessor : listOf(model.json, "accessors"))
       checkAccessor(path, accessor, views);
     References(path, model.json).check();
+    return !listOf(model.json, "images").empty();
   }
   catch (const Json::exception&)
   {

@@ -1,5 +1,6 @@
 #include "HDF5Walk.h"
 
+#include "ChildProcess.h"
 #include "FileError.h"
 #include "HDF5Handle.h"
 #include "TextFile.h"
@@ -7,19 +8,11 @@
 #include "vtk_hdf5.h"
 
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <ctime>
 #include <mutex>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
 #include <vector>
-
-#ifdef MOTE_COVERAGE
-extern "C" void __gcov_dump(); // a process that leaves by _exit() would not tell what it did
-#endif
 
 namespace mote
 {
@@ -113,22 +106,6 @@ void walk(const char* path)
     look(root, now() + secondsAtMost, 0);
 }
 
-/// Signals are those of a program that has just begun, and nothing is said or left of a death.
-[[noreturn]] void beChild(const char* path)
-{
-  const rlimit none{};
-  ::setrlimit(RLIMIT_CORE, &none);
-  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPIPE})
-    std::signal(number, SIG_DFL);
-  ::close(STDERR_FILENO);
-  ::alarm(secondsOfCall);
-  walk(path);
-#ifdef MOTE_COVERAGE
-  __gcov_dump();
-#endif
-  ::_exit(0);
-}
-
 } // namespace
 
 void requireWalkable(const std::string& path)
@@ -142,16 +119,8 @@ void requireWalkable(const std::string& path)
     if (last == std::pair(path, stamp))
       return;
   }
-  const pid_t child = ::fork();
-  if (child == 0)
-    beChild(path.c_str());
-  int status = 0;
-  pid_t ended = -1;
-  while (child > 0 && (ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR)
-    ;
-  // Where no process can be made, or another part of the program waits for all, the file is taken
-  // as it is.
-  if (ended == child && (WIFSIGNALED(status) || WEXITSTATUS(status) != 0))
+  // Where no process can be made, the file is taken as it is.
+  if (inChildProcess(secondsOfCall, [&] { walk(path.c_str()); }) != ChildEnd::Well)
     throw FileError(
       FileError::Kind::Malformed, path, "it is damaged: HDF5 fails when it looks at it");
   const std::lock_guard lock(mutex);

@@ -3,6 +3,7 @@
 #include "BgeoFile.h"
 #include "CGNSReader.h"
 #include "CaseFolder.h"
+#include "ChildProcess.h"
 #include "EnSightReader.h"
 #include "FileError.h"
 #include "FoamReader.h"
@@ -112,7 +113,18 @@ vtkSmartPointer<vtkAlgorithm> makeSTL(const FileNames& fileNames)
 
 vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
 {
-  checkGLTF(fileNames.front());
+  const std::string& file = fileNames.front();
+  // VTK reads the images, too, which are not drawn, and does not survive damaged ones.
+  constexpr unsigned secondsAtMost = 60;
+  const auto read = [&]
+  {
+    vtkNew<vtkGLTFReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+  };
+  if (checkGLTF(file) && inChildProcess(secondsAtMost, read) == ChildEnd::Died)
+    throw FileError(FileError::Kind::Malformed, file,
+      "it is damaged: VTK fails when it reads it with its images");
   return make<GLTFReader>(fileNames);
 }
 

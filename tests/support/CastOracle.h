@@ -2,6 +2,7 @@
 
 #include "SphereTree.h"
 
+#include <kernels/core/HitBlock.h>
 #include <kernels/core/RayBundle.h>
 #include <kernels/core/RayPacket.h>
 
@@ -127,5 +128,22 @@ void addRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, doub
 
 /// A camera at `eye` that looks at `target`, up being whatever suits.
 Camera lookAt(const Vec3d& eye, const Vec3d& target, double viewAngle = 30.0);
+
+/// The hits of a bundle on the object 0, as a surface takes them to fetch() and place().
+inline HitBlock hitsOf(const RayBundle& rays)
+{
+  HitBlock block;
+  for (int i = 0; i < rays.count; ++i)
+    if (rays.object[i] == 0)
+    {
+      const int k = block.count++;
+      block.ray[k] = static_cast<std::uint16_t>(i);
+      block.slot[k] = rays.slot[i];
+      block.rayX[k] = rays.x[i];
+      block.rayY[k] = rays.y[i];
+      block.t[k] = rays.t[i];
+    }
+  return block;
+}
 
 } // namespace mote::testing

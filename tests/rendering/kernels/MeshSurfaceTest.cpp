@@ -98,18 +98,7 @@ TEST(MeshSurface, SmoothNormalsFaceTheEyeUpToTheOutline)
       RayBundle bundle;
       rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
       surface.cast(bundle, 0);
-      HitBlock block;
-      block.count = 0;
-      for (int i = 0; i < bundle.count; ++i)
-        if (bundle.object[i] == 0)
-        {
-          const int k = block.count++;
-          block.ray[k] = static_cast<std::uint16_t>(i);
-          block.slot[k] = bundle.slot[i];
-          block.rayX[k] = bundle.x[i];
-          block.rayY[k] = bundle.y[i];
-          block.t[k] = bundle.t[i];
-        }
+      HitBlock block = hitsOf(bundle);
       surface.fetch(block);
       surface.place(block, {bundle, bundle, Vec3d(0.0), nullptr, false});
       for (int k = 0; k < block.count; ++k, ++hits)
@@ -222,17 +211,8 @@ TEST(MeshSurface, EdgesAreAsFarAsTheyLook)
     const Vec3d point = a + u * (b - a) + v * (c - a);
     const Vec3d normal = glm::normalize(glm::cross(b - a, c - a));
     const Vec3d way = -normal;
-    RayPacket ray;
-    ray.count = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      ray.origin[axis][0] = point[axis] + 0.001 * normal[axis];
-      ray.direction[axis][0] = way[axis];
-    }
-    ray.tMin[0] = 0.0;
-    ray.t[0] = 0.002;
-    ray.slot[0] = RayPacket::noHit;
-    ray.object[0] = -1;
+    RayPacket ray = emptyPacket();
+    addRay(ray, point + 0.001 * normal, way, 0.0, 0.002);
     surface.cast(ray, 0);
     ASSERT_EQ(ray.object[0], 0);
     std::uint64_t id = 0;

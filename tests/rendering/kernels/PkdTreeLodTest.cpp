@@ -200,17 +200,7 @@ TEST(PkdTreeLod, BoxesAreLitTheSameInBundlesAndAlone)
   for (RayBundle rays : farBundles(30, 6))
   {
     surface.cast(rays, 0);
-    HitBlock block;
-    for (int i = 0; i < rays.count; ++i)
-      if (rays.object[i] == 0)
-      {
-        const int k = block.count++;
-        block.ray[k] = static_cast<std::uint16_t>(i);
-        block.slot[k] = rays.slot[i];
-        block.t[k] = rays.t[i];
-        block.rayX[k] = rays.x[i];
-        block.rayY[k] = rays.y[i];
-      }
+    HitBlock block = hitsOf(rays);
     surface.fetch(block);
     surface.place(block, {rays, rays, Vec3d(0.0), nullptr, true});
     for (int k = 0; k < block.count; ++k)

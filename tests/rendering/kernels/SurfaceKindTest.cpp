@@ -150,18 +150,7 @@ TEST(SurfaceKind, PlacesABlockAsItPlacesSingleHits)
         local = world;
         camera.transformed(glm::inverse(toWorld)).placeBundle(local, 16, 0, 0, 0.0, 0.0);
         surface.cast(local, 0);
-        HitBlock block;
-        block.count = 0;
-        for (int i = 0; i < local.count; ++i)
-          if (local.object[i] == 0)
-          {
-            const int k = block.count++;
-            block.ray[k] = static_cast<std::uint16_t>(i);
-            block.slot[k] = local.slot[i];
-            block.rayX[k] = local.x[i];
-            block.rayY[k] = local.y[i];
-            block.t[k] = local.t[i];
-          }
+        HitBlock block = hitsOf(local);
         ASSERT_GT(block.count, 60) << kind.name;
         const HitPlacing placing{local, world, world.origin - camera.o0, &normals, true};
         surface.fetch(block);
