@@ -200,13 +200,13 @@ private:
   {
     const Size cells = requireCount("the number of cells");
     const Size values = requireCount("the size of the list of cells");
-    m_arePolyhedra.clear();
+    m_offsets.clear();
     if (m_hasOffsets)
       return checkCellsApart(cells, values);
-    const std::size_t begin = m_at;
+    m_cellsAt = m_at;
     checkValues(values, {32, true});
     const std::size_t end = m_at;
-    m_at = begin;
+    m_at = m_cellsAt;
     passLineEnd();
     Size left = values;
     for (Size cell = 0; cell < cells; ++cell)
@@ -215,20 +215,13 @@ private:
       if (left == 0 || points > left - 1)
         fail("the cells do not fill the list of " + std::to_string(values) + " numbers");
       left -= points + 1;
-      takeCell(points, 32);
+      for (Size i = 0; i < points; ++i)
+        nextInteger();
     }
     if (left > 0)
       fail("the list of cells has " + std::to_string(left) + " numbers too many");
     m_at = end;
-  }
-
-  /// The points of a cell, of which the next one may be the first.
-  void takeCell(Size points, Size bits)
-  {
-    FacesOfCell faces(m_points);
-    for (Size i = 0; i < points; ++i)
-      faces.take(nextInteger(bits));
-    m_arePolyhedra.push_back(faces.isPolyhedron());
+    m_cells = cells;
   }
 
   /// One offset more than there are cells, from 0 to the number of values.
@@ -242,28 +235,27 @@ private:
     if (!passWord("connectivity"))
       fail("expected CONNECTIVITY");
     const ValueType ofPoints = requireType();
-    const std::size_t pointsAt = m_at;
+    m_cellsAt = m_at;
+    m_cellBits = ofPoints.bits;
     checkValues(values, ofPoints);
     const std::size_t end = m_at;
     for (const ValueType& type : {ofOffsets, ofPoints})
       if (!type.isWhole || (type.bits != 32 && type.bits != 64))
         fail("cells are of whole numbers of 32 or 64 bits");
-    std::vector<Size> offsets(count);
+    m_offsets.resize(count);
     m_at = offsetsAt;
     passLineEnd();
-    for (Size& offset : offsets)
+    for (Size& offset : m_offsets)
       offset = nextInteger(ofOffsets.bits);
-    if (count > 0 && (offsets.front() != 0 || offsets.back() != values ||
-                       !std::is_sorted(offsets.begin(), offsets.end())))
+    if (count > 0 && (m_offsets.front() != 0 || m_offsets.back() != values ||
+                       !std::is_sorted(m_offsets.begin(), m_offsets.end())))
       fail("the offsets of cells do not ascend from 0 to " + std::to_string(values));
-    m_at = pointsAt;
-    passLineEnd();
-    for (Size cell = 0; cell + 1 < count; ++cell)
-      takeCell(offsets[cell + 1] - offsets[cell], ofPoints.bits);
     m_at = end;
+    m_cells = count > 0 ? count - 1 : 0;
   }
 
-  /// Types of cells. Faces of polyhedra are told apart before anything else is looked at.
+  /// Types of cells. Where there are polyhedra, VTK tells their faces apart before anything else is
+  /// looked at.
   void checkTypes()
   {
     constexpr Size polyhedron = 42;
@@ -273,11 +265,35 @@ private:
     const std::size_t end = m_at;
     m_at = begin;
     passLineEnd();
+    std::vector<Size> polyhedra;
     for (Size cell = 0; cell < count; ++cell)
-      if (nextInteger() == polyhedron && (cell >= m_arePolyhedra.size() || !m_arePolyhedra[cell]))
-        fail(
-          "the faces of the polyhedron in cell " + std::to_string(cell) + " do not fit its list");
+      if (nextInteger() == polyhedron)
+        polyhedra.push_back(cell);
+    if (!polyhedra.empty())
+      checkFaces(polyhedra);
     m_at = end;
+  }
+
+  /// Goes through the list of cells again.
+  void checkFaces(const std::vector<Size>& polyhedra)
+  {
+    m_at = m_cellsAt;
+    passLineEnd();
+    auto next = polyhedra.begin();
+    for (Size cell = 0; cell < m_cells && next != polyhedra.end(); ++cell)
+    {
+      const Size points = m_hasOffsets ? m_offsets[cell + 1] - m_offsets[cell] : nextInteger();
+      FacesOfCell faces(m_points);
+      for (Size i = 0; i < points; ++i)
+        faces.take(nextInteger(m_hasOffsets ? m_cellBits : 32));
+      if (cell != *next)
+        continue;
+      if (!faces.isPolyhedron())
+        break;
+      ++next;
+    }
+    if (next != polyhedra.end())
+      fail("the faces of the polyhedron in cell " + std::to_string(*next) + " do not fit its list");
   }
 
   bool checkAttribute(const std::string& keyword)
@@ -358,10 +374,13 @@ private:
     }
   }
 
-  Size m_points = 0;                ///< that there are
-  std::vector<bool> m_arePolyhedra; ///< cells that may be some
-  bool m_hasOffsets = false;        ///< of the lists of cells
-  Size m_tuples = 0, m_arrays = 0;  ///< of the attributes that follow
+  Size m_points = 0;    ///< that there are
+  Size m_cells = 0;     ///< of the last list
+  Size m_cellBits = 32; ///< of its points, where they are apart
+  std::size_t m_cellsAt = 0;
+  std::vector<Size> m_offsets;
+  bool m_hasOffsets = false;       ///< of the lists of cells
+  Size m_tuples = 0, m_arrays = 0; ///< of the attributes that follow
 };
 
 } // namespace
