@@ -6,8 +6,8 @@
 #include "TextFile.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string_view>
@@ -69,13 +69,11 @@ private:
     constexpr std::string_view begin = "# vtk DataFile Version ";
     if (!first.starts_with(begin))
       throw FileError(FileError::Kind::OtherFormat, m_path, "is no VTK legacy file");
+    // As VTK reads it: what is no version is taken for an old one.
     int major = 0, minor = 0;
-    const char* const end = first.data() + first.size();
-    const auto read = std::from_chars(first.data() + begin.size(), end, major);
-    if (read.ec != std::errc() || read.ptr == end || *read.ptr != '.' ||
-        std::from_chars(read.ptr + 1, end, minor).ec != std::errc())
-      fail("its first line tells no version");
-    m_hasOffsets = major >= 5;
+    const std::string version(first.substr(begin.size()));
+    const bool isTold = std::sscanf(version.c_str(), "%d.%d", &major, &minor) == 2;
+    m_hasOffsets = isTold && major >= 5;
     if (nextLine().size() > 255)
       fail("its title is longer than 255 bytes");
     const std::string_view format = requireWord("ASCII or BINARY");

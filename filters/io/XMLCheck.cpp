@@ -81,6 +81,24 @@ bool isKnownType(std::string_view type)
   return std::find(known.begin(), known.end(), type) != known.end();
 }
 
+/// Whether a piece has nothing that arrays of this section could be of: readers pass over them.
+bool isOfNothing(std::string_view piece, std::string_view section)
+{
+  const auto isNone = [&](const std::string& things)
+  { return attributeOf(piece, "NumberOf" + things) == "0"; };
+  if (section == "Points" || section == "PointData")
+    return isNone("Points");
+  if (section == "CellData" && !isNone("Cells"))
+    return isNone("Verts") && isNone("Lines") && isNone("Strips") && isNone("Polys");
+  return isNone(section == "CellData" ? "Cells" : std::string(section));
+}
+
+/// The name of an element, "Points" of "<Points>".
+std::string_view nameOf(std::string_view element)
+{
+  return element.substr(1, element.find_first_of(" \n>", 1) - 1);
+}
+
 /// The elements of a text in XML, one after the other: their beginnings, ends, and those that are
 /// both. Comments and the like are passed over. Throws FileError where they lie in one another more
 /// deeply than any file of users', as readers free them by functions that call themselves until the
@@ -198,7 +216,8 @@ public:
     const std::string_view text = file.text();
     most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
     std::vector<std::uint64_t> offsets; // of appended values
-    bool isPacked = false, isOfFile = false;
+    std::string_view piece, section;
+    bool isPacked = false;
     for (Elements elements(text, path_); elements.next();)
     {
       const std::string_view element = elements.element().substr(0, 4096);
@@ -211,9 +230,11 @@ public:
       }
       if (!isPacked)
         return;
-      const bool isMet = !ofFileAlone || isOfFile;
-      if (element.starts_with("<FieldData") || element.starts_with("</FieldData"))
-        isOfFile = element[1] != '/';
+      if (const std::string_view name = nameOf(element); name == "Piece")
+        piece = element;
+      else if (!name.ends_with("Array") && !name.starts_with('/'))
+        section = name;
+      const bool isMet = ofFileAlone ? section == "FieldData" : !isOfNothing(piece, section);
       std::uint64_t offset = 0;
       if (const auto at = attributeOf(element, "offset");
           isMet && at &&
@@ -356,7 +377,7 @@ private:
     const bool isArray = element.starts_with("<DataArray") || element.starts_with("<PDataArray");
     if (!isArray && !element.starts_with("</") && !element.starts_with("<InformationKey"))
     {
-      const std::string_view name = element.substr(1, element.find_first_of(" >", 1) - 1);
+      const std::string_view name = nameOf(element);
       isPromise_ = name == "PPoints" || name == "PPointData" || name == "PCellData";
       section_ = name.substr(isPromise_ ? 1 : 0);
     }

@@ -136,6 +136,27 @@ TEST_F(TestMeshReaders, OpenFOAMWhoseBytesLookLikeBraces)
   EXPECT_EQ(value(readAt(0.5).at("walls")->GetCellData()->GetArray("p"), 23), 3.0);
 }
 
+TEST_F(TestMeshReaders, PackedPointsWithoutCells)
+{
+  // As meshio writes them: no block, whose last one has 32768 bytes.
+  const std::string none = "AAAAAACAAAAAgAAA";
+  const auto array = [](const std::string& name, const std::string& type, const std::string& values)
+  {
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+           (name == "Points" ? "3" : "1") + "\" format=\"binary\">" + values + "</DataArray>";
+  };
+  const std::string points = "AQAAAACAAAAMAAAACwAAAA==eJxjYEAAAAAMAAE=";
+  open(write(
+    "a.vtu", "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" "
+             "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid>"
+             "<Piece NumberOfPoints=\"1\" NumberOfCells=\"0\"><Points>" +
+               array("Points", "Float32", points) + "</Points><Cells>" +
+               array("connectivity", "Int64", none) + array("offsets", "Int64", none) +
+               array("types", "UInt8", none) + "</Cells><CellData>" + array("c", "Float32", none) +
+               "</CellData></Piece></UnstructuredGrid></VTKFile>"));
+  EXPECT_EQ(readAt(0.0).at("")->GetNumberOfPoints(), 1);
+}
+
 TEST_F(TestMeshReaders, PackedOpenFOAM)
 {
   for (const bool isBinary : {false, true})
