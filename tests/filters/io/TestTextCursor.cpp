@@ -188,6 +188,15 @@ TEST_F(TestTextCursor, MembersMayEndWhereABufferDoes)
   }
 }
 
+TEST_F(TestTextCursor, ZerosBehindGzipAreItsEnd)
+{
+  TextCursor cursor(write("a.gz", memberOf("one\n", 2000) + std::string(512, '\0')));
+  std::string_view line;
+  ASSERT_TRUE(cursor.nextLine(line));
+  EXPECT_EQ(line, "one");
+  EXPECT_FALSE(cursor.nextLine(line));
+}
+
 TEST_F(TestTextCursor, TruncatedGzipGivesWhatItHasAndThenThrows)
 {
   const std::string text = numberedLines(1000);
