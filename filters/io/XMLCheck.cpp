@@ -235,11 +235,8 @@ public:
       else if (!name.ends_with("Array") && !name.starts_with('/'))
         section = name;
       const bool isMet = ofFileAlone ? section == "FieldData" : !isOfNothing(piece, section);
-      std::uint64_t offset = 0;
-      if (const auto at = attributeOf(element, "offset");
-          isMet && at &&
-          std::from_chars(at->data(), at->data() + at->size(), offset).ec == std::errc())
-        offsets.push_back(offset);
+      if (isMet && attributeOf(element, "format") == "appended")
+        offsets.push_back(this->offsetIn(element));
       if (isMet && attributeOf(element, "format") == "binary")
         this->packed(text.substr(end), true);
       if (element.starts_with("<AppendedData"))
@@ -314,6 +311,18 @@ private:
       if (first <= last && (first < (*whole_)[2 * axis] || last > (*whole_)[2 * axis + 1]))
         this->failAtExtent(*attributeOf(element, "Extent"));
     }
+  }
+
+  /// Where an array begins among those that are appended.
+  std::uint64_t offsetIn(std::string_view element) const
+  {
+    const std::string_view text = attributeOf(element, "offset").value_or("0");
+    std::uint64_t offset = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
+    if (error != std::errc() || end != text.data() + text.size())
+      throw FileError(FileError::Kind::Malformed, path_,
+        "the offset '" + std::string(text.substr(0, 24)) + "' is no whole number");
+    return offset;
   }
 
   void appended(
