@@ -17,6 +17,7 @@ struct FoamMesh
   auto operator<=>(const FoamMesh&) const = default;
 };
 
+/// What checkFoamMesh() finds of a mesh.
 struct FoamMeshFacts
 {
   /// How many points there are, or faces if they are more: no field has more values in a place.

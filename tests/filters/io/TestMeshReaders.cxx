@@ -192,7 +192,9 @@ TEST_F(TestMeshReaders, MovingOpenFOAM)
   for (const char* name : {"faces", "owner", "neighbour", "boundary"})
     std::filesystem::remove(path(std::string("moving/0.5/polyMesh/") + name));
   open(path("moving/case.foam"));
-  EXPECT_EQ(readAt(0.5).at("internalMesh")->GetPoint(0)[0], 1.0);
+  for (const double time : {0.5, 0.0, 0.5, 0.0})
+    for (const char* part : {"internalMesh", "inlet"})
+      EXPECT_EQ(readAt(time).at(part)->GetPoint(0)[0], 2.0 * time) << part;
 }
 
 TEST_F(TestMeshReaders, OpenFOAMWithParticles)
